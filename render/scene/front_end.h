@@ -1,0 +1,46 @@
+#pragma once
+
+#include "render/scene/diagnostic.h"
+#include "render/scene/scene.h"
+
+#include <functional>
+#include <memory>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+namespace firstlight::render {
+
+/// What a front end needs to know beside the path.
+struct LoadOptions {
+  int width = 320;   ///< pixels; scenes may read it
+  int height = 240;
+  std::vector<std::string> library_paths;                      ///< searched for included files after the scene's own folder
+  std::vector<std::pair<std::string, std::string>> declares;   ///< identifiers set before the scene is read (name, number)
+  double clock = 0.0;
+  /// Called for every diagnostic as it arises; may be empty. The result holds them all the same.
+  std::function<void(const Diagnostic&)> report;
+};
+
+/// `scene` is null exactly when the diagnostics hold an error.
+struct LoadResult {
+  std::unique_ptr<const Scene> scene;
+  Diagnostics diagnostics;
+};
+
+/// A scene language as the renderer sees it. Implementations never throw, exit or print.
+class FrontEnd {
+ public:
+  virtual ~FrontEnd() = default;
+  virtual std::string_view name() const = 0;                       ///< e.g. "pov"
+  virtual std::vector<std::string_view> extensions() const = 0;   ///< with the dot: ".pov"
+  virtual LoadResult load(const std::string& path, const LoadOptions& options) const = 0;
+};
+
+/// A loadable module exports these two C symbols; the host refuses a module of another ABI version.
+constexpr int kFrontEndAbi = 1;
+constexpr const char* kFrontEndAbiSymbol = "firstlight_front_end_abi";  ///< int firstlight_front_end_abi()
+constexpr const char* kFrontEndSymbol = "firstlight_front_end";         ///< const FrontEnd* firstlight_front_end(); lives as long as the module
+
+}  // namespace firstlight::render

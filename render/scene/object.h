@@ -1,0 +1,54 @@
+#pragma once
+
+#include "render/light/light.h"
+#include "render/math/transform.h"
+#include "render/shape/shape.h"
+#include "render/texture/interior.h"
+#include "render/texture/texture.h"
+
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace firstlight::render {
+
+/// A thing in the scene as it is described: one shape or light, or several combined. A cheap value: the shape and the
+/// children are shared, so copying a declared object costs the same whatever its size. Scene building walks the
+/// tree and hands placements, textures and flags down to the leaves.
+struct Object {
+  enum class Kind { shape, light, union_, intersection, merge };
+
+  Kind kind = Kind::shape;
+  ShapePtr shape;                                            ///< of Kind::shape; its space is this object's
+  Light light;                                               ///< of Kind::light
+  std::shared_ptr<const std::vector<Object>> children;       ///< of the combining kinds (a difference is an intersection with
+                                                             ///< inverted further children)
+  std::shared_ptr<const std::vector<Object>> clipped_by;     ///< points of the surface outside any of these are cut away
+  std::shared_ptr<const std::vector<Object>> bounded_by;     ///< rays that miss any of these miss the object
+  bool bounds_are_clips = false;                             ///< bounded_by { clipped_by }
+
+  /// Object to parent. Moves shape, children, clips and bounds, and every texture inside them.
+  Transform placement;
+
+  /// Null: inherited from the parent, or the default texture at top level. `texture_placement` moves it to the parent's
+  /// space: it holds only the transformations that came after the texture in the scene text.
+  TexturePtr texture;
+  Transform texture_placement;
+  TexturePtr interior_texture;  ///< seen from inside; null: inherited, or as outside
+  Transform interior_texture_placement;
+  std::optional<Interior> interior;  ///< not set: inherited
+
+  bool inverted = false;
+  bool hollow = false;
+  bool no_shadow = false;
+  bool no_image = false;
+  bool no_reflection = false;
+  bool double_illuminate = false;
+  std::string name;  ///< identifier it was declared under, for choosing objects by name; may be empty
+};
+
+/// Moves the object on, with its textures.
+void place(Object& object, const Transform& transform);
+
+}  // namespace firstlight::render

@@ -1,0 +1,70 @@
+#pragma once
+
+#include "render/camera/camera.h"
+#include "render/light/light.h"
+#include "render/math/color.h"
+#include "render/scene/solid.h"
+#include "render/shape/shape.h"
+#include "render/texture/interior.h"
+#include "render/texture/texture.h"
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+namespace firstlight::render {
+
+/// A texture where it is used. `to_texture` takes world points into the texture's space.
+struct PlacedTexture {
+  TexturePtr texture;
+  Transform to_texture;
+};
+
+constexpr std::uint32_t kNoIndex = 0xffffffffu;
+
+/// One primitive's surface: what shading needs once a ray has met it.
+struct Part {
+  ShapePtr shape;
+  std::uint32_t texture = kNoIndex;           ///< into Scene::textures; kNoIndex: takes the light but gives none
+  std::uint32_t interior_texture = kNoIndex;  ///< seen against the normal; kNoIndex: as `texture`
+  std::uint32_t interior = 0;                 ///< into Scene::interiors; equal for all parts of one piece of matter
+  std::uint32_t object = 0;                   ///< into Scene::object_names: the top-level object it belongs to
+  bool opaque = false;                        ///< no light passes, from either side
+  bool inverted = false;
+  bool double_illuminate = false;
+};
+
+/// What the scene's colour numbers mean (assumed_gamma), which decides how the finished picture is written.
+enum class WorkingGamma {
+  linear,     ///< proportional to light; the file gets the sRGB curve
+  power,      ///< light ^ (1 / gamma_exponent); the file gets what makes the same light on an sRGB display
+  srgb,       ///< already on the sRGB curve; written as they are
+  unmanaged,  ///< old scenes without assumed_gamma: written as they are
+};
+
+/// global_settings and what else holds for the whole picture. Defaults are POV-Ray 3.7's.
+struct Settings {
+  Rgb ambient_light{1.0f, 1.0f, 1.0f};
+  int max_trace_level = 5;
+  double adc_bailout = 1.0 / 255.0;
+  Rgb background{0.0f, 0.0f, 0.0f};
+  double atmosphere_ior = 1.0;
+  int language_version = 370;  ///< as 100 * version; some formulas of transparency differ before 370
+  WorkingGamma gamma = WorkingGamma::linear;
+  double gamma_exponent = 1.0;  ///< of WorkingGamma::power
+};
+
+/// Everything to be rendered, frozen. Plain data, safe to read from any thread.
+struct Scene {
+  Settings settings;
+  Camera camera;
+  std::vector<Light> lights;
+  /// Top-level solids in the order in which equal depths are decided: the lower index wins.
+  std::vector<Solid> solids;
+  std::vector<Part> parts;
+  std::vector<PlacedTexture> textures;
+  std::vector<Interior> interiors;
+  std::vector<std::string> object_names;  ///< SDL identifiers of top-level objects, may be empty strings
+};
+
+}  // namespace firstlight::render

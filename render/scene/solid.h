@@ -1,0 +1,47 @@
+#pragma once
+
+#include "render/math/vec.h"
+#include "render/shape/shape.h"
+
+#include <cstdint>
+#include <memory>
+#include <vector>
+
+namespace firstlight::render {
+
+/// What a ray is looking for; objects may hide from some kinds.
+enum class RayKind : std::uint8_t { primary, reflection, transmission, shadow };
+
+/// Bits of Solid::hidden_from and of the visibility tests.
+constexpr std::uint8_t kHiddenFromPrimary = 1;     ///< no_image
+constexpr std::uint8_t kHiddenFromReflection = 2;  ///< no_reflection
+constexpr std::uint8_t kHiddenFromShadow = 4;      ///< no_shadow
+
+/// The frozen geometry of an object as rays meet it: one shape, or a combination whose crossings are filtered by its
+/// members. Unions without clips or bounds do not occur at top level: scene building dissolves them.
+///
+/// Source   Which crossing counts is POV-Ray 3.7's rule: of an intersection, a crossing of one member that is inside
+///          all others; of a merge, one that is inside none.
+/// Threads  Immutable.
+class Solid {
+ public:
+  enum class Kind : std::uint8_t { shape, union_, intersection, merge };
+
+  Kind kind = Kind::shape;
+  std::uint8_t hidden_from = 0;
+  std::uint32_t part = 0;  ///< of Kind::shape: index into Scene::parts
+  ShapePtr shape;          ///< of Kind::shape
+  std::vector<Solid> members;
+  std::vector<Solid> clips;
+  std::vector<Solid> bounds;
+  Box3 box;  ///< world bounds of what remains visible; filled by close()
+
+  /// Fills `box` from the members; call once, bottom up, when the solid is complete.
+  void close();
+
+  /// Appends all crossings that belong to the solid's surface. `hidden_bit` is the bit of the asking ray's kind.
+  void crossings(const Ray& ray, std::uint8_t hidden_bit, std::vector<Crossing>& out) const;
+  bool inside(const Vec3& point) const;
+};
+
+}  // namespace firstlight::render

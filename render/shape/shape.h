@@ -1,0 +1,47 @@
+#pragma once
+
+#include "render/math/transform.h"
+#include "render/math/vec.h"
+
+#include <cstdint>
+#include <memory>
+#include <vector>
+
+namespace firstlight::render {
+
+class Shape;
+
+/// One point where a ray passes through a surface.
+struct Crossing {
+  double depth = 0.0;       ///< along the ray, in its units
+  const Shape* shape = nullptr;
+  std::uint32_t part = 0;   ///< index into Scene::parts; set by the solid that owns the shape
+  std::uint32_t face = 0;   ///< the shape's own note: which side, cap or triangle was met
+};
+
+/// The geometry of one primitive, placed in world space. Immutable; shared between copies of an object.
+///
+/// Order    Crossings may be appended in any order; equal input gives equal output, bit for bit.
+/// Threads  All members may be called from any thread.
+/// Source   Tolerances and the meaning of "inside" are POV-Ray 3.7's.
+class Shape {
+ public:
+  virtual ~Shape() = default;
+
+  /// Appends every crossing in front of the ray's origin that POV-Ray's own test for this shape would report.
+  virtual void crossings(const Ray& ray, std::vector<Crossing>& out) const = 0;
+  /// Whether `point` is in the solid. An `inverse` shape is the complement.
+  virtual bool inside(const Vec3& point) const = 0;
+  /// Unit outward normal at a crossing that this shape reported. Inverted shapes point inwards.
+  virtual Vec3 normal(const Vec3& point, const Crossing& crossing) const = 0;
+  /// World box; infinite when the shape is unbounded.
+  virtual Box3 bounds() const = 0;
+  /// The same shape moved on by `transform`.
+  virtual std::shared_ptr<const Shape> placed(const Transform& transform) const = 0;
+  /// The complement: inside and outside exchanged, surface unchanged.
+  virtual std::shared_ptr<const Shape> inverted() const = 0;
+};
+
+using ShapePtr = std::shared_ptr<const Shape>;
+
+}  // namespace firstlight::render
