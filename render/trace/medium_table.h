@@ -1,0 +1,42 @@
+#pragma once
+
+#include <tbb/concurrent_unordered_map.h>
+#include <tbb/concurrent_vector.h>
+
+#include <cstdint>
+
+namespace firstlight::render {
+
+/// The interiors a ray is inside of, oldest first, as a number that fits into a ray task. Equal ways through matter give equal stacks;
+/// numbers differ from run to run, and nothing visible depends on them.
+///
+/// Memory   one node a distinct stack, kept for the whole frame.
+/// Threads  all members may be called from any thread.
+/// Source   Which interior is left or entered, and what surrounds it then, is POV-Ray 3.7's rule.
+class MediumTable {
+ public:
+  static constexpr std::uint32_t kOutside = 0;
+  static constexpr std::uint32_t kNone = 0xffffffffu;
+
+  MediumTable();
+
+  bool contains(std::uint32_t stack, std::uint32_t interior) const;
+  /// The interior entered last, kNone outside of everything.
+  std::uint32_t innermost(std::uint32_t stack) const { return nodes_[stack].interior; }
+  /// Number of interiors on the stack.
+  std::uint32_t depth(std::uint32_t stack) const { return nodes_[stack].depth; }
+  std::uint32_t entered(std::uint32_t stack, std::uint32_t interior);
+  /// Pre: contains(stack, interior).
+  std::uint32_t left(std::uint32_t stack, std::uint32_t interior);
+
+ private:
+  struct Node {
+    std::uint32_t below;
+    std::uint32_t interior;
+    std::uint32_t depth;
+  };
+  tbb::concurrent_vector<Node> nodes_;
+  tbb::concurrent_unordered_map<std::uint64_t, std::uint32_t> numbers_;
+};
+
+}  // namespace firstlight::render

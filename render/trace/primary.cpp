@@ -1,0 +1,31 @@
+#include "render/trace/primary.h"
+
+#include <algorithm>
+
+namespace firstlight::render {
+
+PrimaryTiles::PrimaryTiles(const Scene& scene, int width, int height)
+    : scene_(scene),
+      width_(width),
+      height_(height),
+      columns_(static_cast<std::uint32_t>((width + kTileSize - 1) / kTileSize)),
+      rows_(static_cast<std::uint32_t>((height + kTileSize - 1) / kTileSize)) {}
+
+void PrimaryTiles::append(std::uint32_t tile, std::vector<RayTask>& out) const {
+  const int x0 = static_cast<int>(tile % columns_) * kTileSize;
+  const int y0 = static_cast<int>(tile / columns_) * kTileSize;
+  for (int y = y0; y < std::min(y0 + kTileSize, height_); ++y) {
+    for (int x = x0; x < std::min(x0 + kTileSize, width_); ++x) {
+      const Ray ray = primary_ray(scene_.camera, x + 0.5, y + 0.5, width_, height_);
+      RayTask task;
+      task.origin = ray.origin;
+      task.direction = PackedDirection(ray.direction);
+      task.weight = Rgb(1.0f);
+      task.sample = static_cast<std::uint32_t>(y) * static_cast<std::uint32_t>(width_) + static_cast<std::uint32_t>(x);
+      task.path = task.sample;
+      out.push_back(task);
+    }
+  }
+}
+
+}  // namespace firstlight::render

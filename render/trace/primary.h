@@ -1,0 +1,30 @@
+#pragma once
+
+#include "render/scene/scene.h"
+#include "render/trace/ray_task.h"
+
+#include <cstdint>
+#include <vector>
+
+namespace firstlight::render {
+
+/// The picture cut into squares of kTileSize pixels, whose primary rays are made on demand and never queued.
+class PrimaryTiles {
+ public:
+  static constexpr int kTileSize = 16;
+
+  PrimaryTiles(const Scene& scene, int width, int height);
+
+  std::uint32_t count() const { return columns_ * rows_; }
+  /// Appends the primary tasks of a tile, pixel by pixel, row by row. Pre: tile < count().
+  void append(std::uint32_t tile, std::vector<RayTask>& out) const;
+
+ private:
+  const Scene& scene_;
+  int width_;
+  int height_;
+  std::uint32_t columns_;
+  std::uint32_t rows_;
+};
+
+}  // namespace firstlight::render
