@@ -1,0 +1,55 @@
+#!/usr/bin/env bash
+# Runs every test: the release build with all of them (unit tests, and POV-Ray as the reference), then the unit tests
+# again under AddressSanitizer + UndefinedBehaviorSanitizer and under ThreadSanitizer. Needs no display.
+# Installs what is missing (Debian packages), builds what changed. The last line is the count of all of them.
+set -uo pipefail
+
+cd "$(dirname "${BASH_SOURCE[0]}")" || exit 1
+. .ci/setup.sh
+
+passed=0 failed=0 skipped=0
+finish() {
+  echo
+  if [ "$skipped" -gt 0 ]; then
+    echo "$passed passed, $failed failed, $skipped skipped"
+  else
+    echo "$passed passed, $failed failed"
+  fi
+  exit $((failed > 0 || passed == 0))
+}
+
+# run PRESET TARGET CTEST-OPTION...: builds the target and runs the tests chosen, adding to the count.
+run() {
+  local preset=$1 target=$2
+  shift 2
+  if ! build "$preset" "$target"; then
+    say "The $preset build failed"
+    failed=$((failed + 1))
+    return
+  fi
+  say "Testing build/$preset"
+  local report=$PWD/build/$preset/tests.xml
+  rm -f "$report"
+  ctest --test-dir "build/$preset" --output-on-failure --no-tests=error -j "$(nproc)" --output-junit "$report" "$@"
+  local result=$?
+  if [ ! -f "$report" ]; then
+    failed=$((failed + 1))
+    return
+  fi
+  local all ok unused
+  all=$(grep -c '<testcase ' "$report")
+  ok=$(grep '<testcase ' "$report" | grep -c 'status="run"')
+  unused=$(grep -cE '<skipped |status="disabled"' "$report")
+  passed=$((passed + ok))
+  skipped=$((skipped + unused))
+  failed=$((failed + all - ok - unused))
+  if [ $result -ne 0 ] && [ "$all" -eq $((ok + unused)) ]; then
+    failed=$((failed + 1))  # ctest itself failed: no test found, for one
+  fi
+}
+
+install_missing $build_packages $test_packages || { failed=1; finish; }
+run release all
+run asan firstlight_unit_tests -L unit
+run tsan firstlight_unit_tests -L unit
+finish
