@@ -4,15 +4,23 @@
 #include "parser/value.h"
 #include "render/scene/scene_builder.h"
 
+#include <memory>
 #include <optional>
+#include <vector>
 
 namespace firstlight::parser {
 
 /// What statements need beside the text: the scene under construction and the defaults that `#default` sets.
 struct SceneContext {
+  explicit SceneContext(render::SceneBuilder& scene_builder) : builder(scene_builder) {}
+
   render::SceneBuilder& builder;
-  render::Texture default_texture;  ///< one layer; pigment and finish can be replaced by #default
+  /// One layer; `#default` replaces it. Never null; shared by all objects that use it.
+  render::TexturePtr default_texture =
+      std::make_shared<const render::Texture>(render::Texture{std::vector<render::TextureLayer>(1)});
+  bool default_pigment_given = false;  ///< a `#default` has set the pigment
   render::Camera default_camera;
+  render::Camera camera;  ///< the scene's so far; before version 3.5 a further camera statement goes on from it
 };
 
 // One function per statement kind, each called with the keyword taken already and the `{` next; each leaves the

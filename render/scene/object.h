@@ -6,6 +6,7 @@
 #include "render/texture/interior.h"
 #include "render/texture/texture.h"
 
+#include <cstdint>
 #include <memory>
 #include <optional>
 #include <string>
@@ -45,6 +46,10 @@ struct Object {
   bool no_image = false;
   bool no_reflection = false;
   bool double_illuminate = false;
+  /// How deep and how large the tree below is. Sharing lets a short text describe trees that no machine can walk; whoever builds
+  /// an object keeps these in step, and the front end refuses too large ones.
+  std::uint32_t depth = 0;   ///< levels of children, clips and bounds below this object
+  std::uint64_t leaves = 1;  ///< shapes and lights in it, each as often as it occurs
   std::string name;  ///< identifier it was declared under, for choosing objects by name; may be empty
 };
 
