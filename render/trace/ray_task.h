@@ -71,6 +71,6 @@ struct RayTask {
   void set_light(std::uint32_t index) { direction.u = static_cast<std::int32_t>(index); }
 };
 static_assert(sizeof(RayTask) == 64);
-static_assert(std::is_trivially_copyable_v<RayTask>);
+static_assert(std::is_trivially_destructible_v<RayTask>);
 
 }  // namespace firstlight::render

@@ -8,6 +8,7 @@
 
 #include <array>
 #include <cstdint>
+#include <memory>
 #include <span>
 #include <vector>
 
@@ -51,20 +52,58 @@ class Stepper {
   const RayCounts& counts() const { return counts_; }
 
  private:
+  /// A layer of the texture that was met, as far as it matters to lights and reflections.
+  struct Layer {
+    const Finish* finish = nullptr;
+    Rgb color;              ///< of the pigment
+    Rgb filter;             ///< what the layers above let through
+    double opacity = 1.0;   ///< brightness left to the layer's own light
+    double adc_weight = 1.0;
+    Rgb reflection;
+  };
+  /// A hit with all that shading reads again and again.
+  struct Surface {
+    const RayTask& task;
+    const Part& part;
+    const Interior& interior;
+    Vec3 direction;  ///< of the ray that met it
+    Vec3 point;
+    Vec3 normal;     ///< unit, towards the ray's origin
+    double depth;
+    bool from_inside;
+    int level;       ///< of everything spawned here
+  };
+
   void step_radiance(std::span<const RayTask> tasks);
   void step_shadow(std::span<const RayTask> tasks);
   void shade(const RayTask& task, const Ray& ray, const Hit& hit);
-  /// Reflection whose colour is raised to a power: the subtree is evaluated here, depth first. [docs/architecture.md, "Sealed tasks"]
-  void add_sealed(const RayTask& root, const Rgb& weight, double exponent);
-  Rgb passing_light(const RayTask& feeler, Ray ray, double distance);
+  /// Fills layers_ and adds the light that needs no light source; returns what all layers let through.
+  Rgb shade_layers(const Surface& surface, const PlacedTexture& texture);
+  void shade_lights(const Surface& surface);
+  /// Returns true where the ray cannot leave and is reflected instead (total internal reflection).
+  bool spawn_transmission(const Surface& surface, const Rgb& filter);
+  void spawn_reflections(const Surface& surface);
+  Rgb reflectivity(const Surface& surface, const Finish& finish, const Rgb& color, double& adc_weight) const;
+  double relative_ior(const Surface& surface) const;
+
+  void add_light(std::uint32_t sample, const Rgb& light);
+  RayTask child_of(const Surface& surface, RayKind kind) const;
+  void spawn(const RayTask& task);
+  /// Adds weight * colour(root) ^ exponent: not a sum over rays, so the subtree is evaluated here, depth first.
+  void add_sealed(RayTask root, const Rgb& weight, double exponent);
+  Rgb trace_sealed(const RayTask& root);
+  /// Share of the light that passes all that is between the feeler's origin and `distance`.
+  Rgb passing_light(const RayTask& feeler, Ray ray, double distance) const;
 
   TraceContext context_;
+  bool has_transparent_casters_ = false;
   std::vector<RayQuery> queries_;
   std::vector<Hit> hits_;
   std::vector<std::uint8_t> blocked_;
-  std::vector<std::uint32_t> order_;
+  std::vector<Layer> layers_;
   std::vector<Contribution> light_;
   std::vector<RayTask> spawned_;
+  std::unique_ptr<Stepper> sealed_;  ///< made when first needed
   RayCounts counts_;
 };
 
