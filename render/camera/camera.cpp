@@ -1,0 +1,55 @@
+#include "render/camera/camera.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace firstlight::render {
+namespace {
+
+/// A cross product of which no component exceeds this means that the vectors are parallel. [POV-Ray 3.7]
+constexpr double kParallel = 1e-10;
+
+Vec3 unit(const Vec3& v) {
+  const double length = std::sqrt(v.dot(v));
+  return length > 0.0 ? v / length : v;
+}
+
+}  // namespace
+
+void look_at(Camera& camera, const Vec3& target) {
+  const double direction_length = camera.direction.length();
+  const double up_length = camera.up.length();
+  const double right_length = camera.right.length();
+  const bool left_handed = camera.up.cross(camera.direction).dot(camera.right) > 0.0;
+
+  const Vec3 forward = unit(target - camera.location);
+  Vec3 sideways = camera.sky.cross(forward);
+  // Looking straight along the sky vector leaves open where up is: `right` decides then.
+  if (std::max({std::abs(sideways.x), std::abs(sideways.y), std::abs(sideways.z)}) < kParallel) sideways = camera.right;
+  sideways = unit(sideways);
+
+  camera.direction = forward * direction_length;
+  camera.right = sideways * (left_handed ? right_length : -right_length);
+  camera.up = forward.cross(sideways) * up_length;
+}
+
+void set_angle(Camera& camera, double degrees) {
+  const double half = degrees * (std::numbers::pi / 360.0);
+  camera.direction = unit(camera.direction) * (0.5 * camera.right.length() / std::tan(half));
+}
+
+void place(Camera& camera, const Transform& transform) {
+  camera.location = transform.point(camera.location);
+  camera.direction = transform.direction(camera.direction);
+  camera.right = transform.direction(camera.right);
+  camera.up = transform.direction(camera.up);
+}
+
+Ray primary_ray(const Camera& camera, double x, double y, int width, int height) {
+  const double across = x / width - 0.5;
+  const double upwards = (height - y) / height - 0.5;
+  return {camera.location, unit(camera.direction + camera.right * across + camera.up * upwards)};
+}
+
+}  // namespace firstlight::render

@@ -1,0 +1,29 @@
+// Patterns that grow in step with a coordinate.
+
+#include "render/texture/patterns.h"
+
+#include <cmath>
+
+namespace firstlight::render {
+namespace {
+
+class Gradient final : public Pattern {
+ public:
+  explicit Gradient(const Vec3& axis) : axis_(axis) {}
+
+  /// Only values above 1 are folded back: 1 itself stays, so the far end of a unit gradient keeps its last colour, and
+  /// negative values are left to the wave, which folds them upwards. [POV-Ray 3.7]
+  double value(const Vec3& point) const override {
+    const double along = point.dot(axis_);
+    return along > 1.0 ? std::fmod(along, 1.0) : along;
+  }
+
+ private:
+  Vec3 axis_;
+};
+
+}  // namespace
+
+std::shared_ptr<const Pattern> make_gradient(const Vec3& axis) { return std::make_shared<Gradient>(axis); }
+
+}  // namespace firstlight::render
