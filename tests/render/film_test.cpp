@@ -1,0 +1,74 @@
+#include "render/film/film.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <random>
+#include <thread>
+#include <vector>
+
+namespace firstlight::render {
+namespace {
+
+std::vector<Contribution> random_light(std::uint32_t samples, std::size_t count) {
+  std::mt19937 random(7);
+  std::uniform_real_distribution<float> value(-3.0f, 40.0f);
+  std::vector<Contribution> light(count);
+  for (Contribution& c : light) {
+    c = {static_cast<std::uint32_t>(random() % samples), Rgb(value(random), value(random), value(random))};
+  }
+  return light;
+}
+
+TEST(Film, SumsDoNotDependOnTheOrder) {
+  std::vector<Contribution> light = random_light(6, 5000);
+  Film forwards(3, 2);
+  forwards.add(light, true);
+  std::reverse(light.begin(), light.end());
+  Film backwards(3, 2);
+  backwards.add(light, true);
+  EXPECT_EQ(forwards.snapshot(), backwards.snapshot());
+}
+
+TEST(Film, ThreadsAddToTheSameSums) {
+  const std::vector<Contribution> light = random_light(6, 20000);
+  Film alone(3, 2);
+  alone.add(light, true);
+  Film shared(3, 2);
+  const std::size_t half = light.size() / 2;
+  std::thread other([&] { shared.add(std::span(light).first(half), false); });
+  shared.add(std::span(light).subspan(half), false);
+  other.join();
+  EXPECT_EQ(alone.snapshot(), shared.snapshot());
+}
+
+TEST(Film, TakingBackWhatWasAddedLeavesNothing) {
+  Film film(1, 1);
+  const Rgb light(0.1f, 1.0f / 3.0f, 1e-7f);
+  film.add(std::vector<Contribution>{{0, light}, {0, -light}}, true);
+  EXPECT_EQ(film.color(0, 0), Rgb(0.0f));
+}
+
+TEST(Film, SampleNumbersRunAlongRowsFromTheTop) {
+  Film film(3, 2);
+  film.add(std::vector<Contribution>{{4, Rgb(0.5f)}}, true);
+  EXPECT_EQ(film.color(1, 1), Rgb(0.5f));
+  EXPECT_EQ(film.color(1, 0), Rgb(0.0f));
+}
+
+TEST(Film, NotANumberAddsNothing) {
+  Film film(1, 1);
+  film.add(std::vector<Contribution>{{0, Rgb(std::numeric_limits<float>::quiet_NaN(), 0.25f, 0.5f)}}, true);
+  EXPECT_EQ(film.color(0, 0), Rgb(0.0f, 0.25f, 0.5f));
+}
+
+TEST(Film, EnormousLightIsCutNotWrapped) {
+  Film film(1, 1);
+  film.add(std::vector<Contribution>{{0, Rgb(std::numeric_limits<float>::infinity(), -1e30f, 1.0f)}}, true);
+  EXPECT_EQ(film.color(0, 0), Rgb(16777216.0f, -16777216.0f, 1.0f));
+}
+
+}  // namespace
+}  // namespace firstlight::render
