@@ -4,6 +4,7 @@
 #include "parser/value.h"
 #include "render/scene/scene_builder.h"
 
+#include <cstdint>
 #include <memory>
 #include <optional>
 #include <vector>
@@ -21,6 +22,9 @@ struct SceneContext {
   bool default_pigment_given = false;  ///< a `#default` has set the pigment
   render::Camera default_camera;
   render::Camera camera;  ///< the scene's so far; before version 3.5 a further camera statement goes on from it
+  int declaring = 0;         ///< above 0 while a value is read that may never be used
+  bool has_absent = false;   ///< a shape that cannot be rendered has been declared
+  std::uint64_t leaves = 0;  ///< shapes and lights in the scene so far
 };
 
 // One function per statement kind, each called with the keyword taken already and the `{` next; each leaves the

@@ -1,0 +1,76 @@
+#include "parser/parse_common.h"
+#include "parser/parse_object.h"
+#include "parser/parse_transform.h"
+
+#include <string>
+
+namespace firstlight::parser {
+
+using render::Object;
+using Members = std::vector<Object>;
+
+namespace {
+
+/// Objects and the transformations of all of them, up to the `}`.
+Members parse_members(Reader& reader, SceneContext& context, const Token& word) {
+  Members members;
+  for (;;) {
+    const Token at = reader.peek();
+    auto member = parse_object(reader, context);
+    if (!member) break;
+    if (member->textured) reader.fail(at, "an object in '" + std::string(word.text) + "' cannot have a texture");
+    if (member->patch) {
+      reader.fail(at, "an object in '" + std::string(word.text) + "' must have an inside");
+    }
+    members.push_back(std::move(*member));
+  }
+  while (const auto transform = accept_transformation(reader)) {
+    for (Object& member : members) render::place(member, *transform);
+  }
+  if (members.empty()) reader.fail_expected("an object");
+  return members;
+}
+
+/// Adds `members`, given in the space around `object`, to one of its lists, which are kept in its own space.
+void append(Reader& reader, const Token& word, Object& object, std::shared_ptr<const Members>& list, Members members) {
+  const render::Transform to_object = object.placement.inverse();
+  auto grown = list ? std::make_shared<Members>(*list) : std::make_shared<Members>();
+  for (Object& member : members) {
+    if (!to_object.is_identity()) render::place(member, to_object);
+    count_in(reader, word, object, member);
+    grown->push_back(std::move(member));
+  }
+  list = std::move(grown);
+}
+
+}  // namespace
+
+void parse_bounded_by(Reader& reader, SceneContext& context, const Token& word, Object& object) {
+  reader.open_block(word);
+  if (object.bounds_are_clips) reader.fail(word, "bounds cannot be added after 'bounded_by' and 'clipped_by' were made one");
+  if (reader.next_is(Keyword::clipped_by)) {
+    const Token at = reader.take();
+    if (object.bounded_by) reader.fail(at, "'clipped_by' cannot replace bounds that are there already");
+    object.bounded_by = object.clipped_by;
+    object.bounds_are_clips = object.clipped_by != nullptr;
+  } else {
+    append(reader, word, object, object.bounded_by, parse_members(reader, context, word));
+  }
+  reader.close_block();
+}
+
+void parse_clipped_by(Reader& reader, SceneContext& context, const Token& word, Object& object) {
+  reader.open_block(word);
+  if (object.bounds_are_clips) reader.fail(word, "clips cannot be added after 'bounded_by' and 'clipped_by' were made one");
+  if (reader.next_is(Keyword::bounded_by)) {
+    const Token at = reader.take();
+    if (object.clipped_by) reader.fail(at, "'bounded_by' cannot replace clips that are there already");
+    object.clipped_by = object.bounded_by;
+    object.bounds_are_clips = object.bounded_by != nullptr;
+  } else {
+    append(reader, word, object, object.clipped_by, parse_members(reader, context, word));
+  }
+  reader.close_block();
+}
+
+}  // namespace firstlight::parser

@@ -1,0 +1,135 @@
+#include "parser/parse_object.h"
+
+#include "parser/parse_common.h"
+#include "parser/parse_shape.h"
+
+#include <algorithm>
+#include <string>
+#include <unordered_set>
+
+namespace firstlight::parser {
+
+using render::Object;
+
+namespace {
+
+Object parse_shape(Reader& reader, SceneContext& context, ShapeReader read, bool patch) {
+  const Token word = reader.take();
+  reader.open_block(word);
+  if (auto declared = accept_declared_object(reader)) {
+    parse_modifiers(reader, context, word, *declared);
+    return std::move(*declared);
+  }
+  Object object;
+  object.shape = read(reader, word);
+  if (!object.shape) object = empty_object();
+  object.patch = patch;
+  parse_modifiers(reader, context, word, object);
+  return object;
+}
+
+Object parse_absent_shape(Reader& reader, SceneContext& context) {
+  const Token word = reader.take();
+  if (context.declaring == 0) fail_unsupported(reader, word);
+  skip_block(reader, word);
+  context.has_absent = true;
+  Object object;
+  object.shape = std::make_shared<AbsentShape>(word);
+  return object;
+}
+
+/// `object { any object, modifiers }`
+Object parse_wrapped(Reader& reader, SceneContext& context) {
+  const Token word = reader.take();
+  reader.open_block(word);
+  auto object = parse_object(reader, context);
+  if (!object) reader.fail_expected("an object");
+  parse_modifiers(reader, context, word, *object);
+  return std::move(*object);
+}
+
+using Visited = std::unordered_set<const void*>;
+
+void refuse_absent_in(Reader& reader, const Token& at, const Object& object, Visited& visited) {
+  if (const auto* absent = dynamic_cast<const AbsentShape*>(object.shape.get())) {
+    reader.fail(at, "'" + std::string(absent->word().text) +
+                        "' is not supported by this version of Firstlight; this object is made of it");
+  }
+  for (const auto& members : {object.children, object.clipped_by, object.bounded_by}) {
+    if (!members || !visited.insert(members.get()).second) continue;
+    for (const Object& member : *members) refuse_absent_in(reader, at, member, visited);
+  }
+}
+
+}  // namespace
+
+std::optional<Object> accept_declared_object(Reader& reader) {
+  const Token name = reader.peek();
+  const auto declared = reader.accept_declared<Object>();
+  if (!declared) return std::nullopt;
+  Object object = *declared;
+  object.name = std::string(name.text);
+  return object;
+}
+
+std::optional<Object> parse_object(Reader& reader, SceneContext& context) {
+  const Token& next = reader.peek();
+  if (next.kind == TokenKind::identifier) return accept_declared_object(reader);
+  if (next.kind != TokenKind::keyword) return std::nullopt;
+  switch (next.keyword) {
+#define SHAPE(word, function) \
+  case Keyword::word:         \
+    return parse_shape(reader, context, function, false);
+#define PATCH(word, function) \
+  case Keyword::word:         \
+    return parse_shape(reader, context, function, true);
+#define ABSENT_SHAPE(word) \
+  case Keyword::word:      \
+    return parse_absent_shape(reader, context);
+#include "parser/shapes.def"
+#undef ABSENT_SHAPE
+#undef PATCH
+#undef SHAPE
+    case Keyword::object:
+      return parse_wrapped(reader, context);
+    case Keyword::union_:
+    case Keyword::merge:
+    case Keyword::intersection:
+    case Keyword::difference: {
+      const Token word = reader.take();
+      return parse_csg(reader, context, word);
+    }
+    case Keyword::light_source: {
+      const Token word = reader.take();
+      return parse_light(reader, context, word);
+    }
+    default:
+      return std::nullopt;
+  }
+}
+
+void count_in(Reader& reader, const Token& at, Object& whole, const Object& part) {
+  whole.depth = std::max(whole.depth, part.depth + 1);
+  whole.leaves += part.leaves;
+  if (whole.depth > kMaxObjectDepth) {
+    reader.fail(at, "objects are nested more than " + std::to_string(kMaxObjectDepth) + " deep");
+  }
+  if (whole.leaves > kMaxLeaves) {
+    reader.fail(at, "object is made of more than " + std::to_string(kMaxLeaves) + " shapes");
+  }
+}
+
+Object empty_object() {
+  Object object;
+  object.kind = Object::Kind::union_;
+  object.children = std::make_shared<const std::vector<Object>>();
+  object.leaves = 0;
+  return object;
+}
+
+void refuse_absent(Reader& reader, const Token& at, const Object& object) {
+  Visited visited;
+  refuse_absent_in(reader, at, object, visited);
+}
+
+}  // namespace firstlight::parser

@@ -1,0 +1,42 @@
+#pragma once
+
+#include "parser/reader.h"
+#include "parser/statements.h"
+#include "render/scene/object.h"
+
+#include <optional>
+#include <vector>
+
+namespace firstlight::parser {
+
+/// Levels of objects in objects. Far more than scenes are written with, few enough to walk by recursion.
+constexpr std::uint32_t kMaxObjectDepth = 1000;
+/// Shapes and lights in a scene, counting shared ones as often as they occur.
+constexpr std::uint64_t kMaxLeaves = 20'000'000;
+
+/// A declared object, if the next token names one.
+std::optional<render::Object> accept_declared_object(Reader& reader);
+
+/// What may follow the geometry of any object, and the `}` that closes it. `word` began the object.
+void parse_modifiers(Reader& reader, SceneContext& context, const Token& word, render::Object& object);
+
+/// `bounded_by` and `clipped_by`. The word has been taken.
+void parse_bounded_by(Reader& reader, SceneContext& context, const Token& word, render::Object& object);
+void parse_clipped_by(Reader& reader, SceneContext& context, const Token& word, render::Object& object);
+
+/// `union`, `merge`, `intersection`, `difference`. The word has been taken.
+render::Object parse_csg(Reader& reader, SceneContext& context, const Token& word);
+
+/// The word `light_source` has been taken.
+render::Object parse_light(Reader& reader, SceneContext& context, const Token& word);
+
+/// Enters `part` into the size of `whole`; fails at `at` when the whole grows out of all proportion.
+void count_in(Reader& reader, const Token& at, render::Object& whole, const render::Object& part);
+
+/// An object in which there is nothing.
+render::Object empty_object();
+
+/// Fails at `at` when something in `object` is a shape that cannot be rendered.
+void refuse_absent(Reader& reader, const Token& at, const render::Object& object);
+
+}  // namespace firstlight::parser
