@@ -1,0 +1,238 @@
+#include "render/scene/scene_builder.h"
+
+#include "render/scene/texture_table.h"
+
+#include <algorithm>
+#include <optional>
+#include <utility>
+
+namespace firstlight::render {
+namespace {
+
+/// What a node of an object's tree hands down to what it is made of.
+struct Inherited {
+  Transform to_world;  ///< from the space of the node's parts
+  std::uint32_t texture = kNoIndex;
+  std::uint32_t interior_texture = kNoIndex;
+  std::uint32_t interior = kNoIndex;
+  std::uint8_t hidden_from = 0;
+  bool inverted = false;
+  bool double_illuminate = false;
+};
+
+/// The combination that an object is, after its own and its parents' inversions: the complement of a union is the
+/// intersection of the complements, and the other way round (as a merge, for it has no surfaces inside).
+Solid::Kind solid_kind(Object::Kind kind, bool inverted) {
+  switch (kind) {
+    case Object::Kind::union_:
+      return inverted ? Solid::Kind::intersection : Solid::Kind::union_;
+    case Object::Kind::merge:
+      return inverted ? Solid::Kind::intersection : Solid::Kind::merge;
+    case Object::Kind::intersection:
+      return inverted ? Solid::Kind::merge : Solid::Kind::intersection;
+    case Object::Kind::shape:
+    case Object::Kind::light:
+      break;
+  }
+  return Solid::Kind::shape;
+}
+
+std::uint8_t hidden_bits(const Object& object) {
+  return static_cast<std::uint8_t>((object.no_image ? kHiddenFromPrimary : 0) |
+                                   (object.no_reflection ? kHiddenFromReflection : 0) |
+                                   (object.no_shadow ? kHiddenFromShadow : 0));
+}
+
+bool is_empty(const std::shared_ptr<const std::vector<Object>>& list) { return !list || list->empty(); }
+
+const std::shared_ptr<const std::vector<Object>>& clips_of(const Object& object) {
+  return object.bounds_are_clips && is_empty(object.clipped_by) ? object.bounded_by : object.clipped_by;
+}
+
+const std::shared_ptr<const std::vector<Object>>& bounds_of(const Object& object) {
+  return object.bounds_are_clips && is_empty(object.bounded_by) ? object.clipped_by : object.bounded_by;
+}
+
+bool has_surface(const Solid& solid) {
+  return solid.kind == Solid::Kind::shape || std::any_of(solid.members.begin(), solid.members.end(), has_surface);
+}
+
+/// The geometry of clips and bounds: where they are, not how they look.
+std::optional<Solid> region(const Object& object, const Transform& to_world, bool inverted);
+
+std::vector<Solid> regions(const std::shared_ptr<const std::vector<Object>>& objects, const Transform& to_world,
+                           bool inverted = false) {
+  std::vector<Solid> result;
+  if (!objects) return result;
+  result.reserve(objects->size());
+  for (const Object& object : *objects) {
+    if (std::optional<Solid> solid = region(object, to_world, inverted)) result.push_back(std::move(*solid));
+  }
+  return result;
+}
+
+ShapePtr placed_shape(const Object& object, const Transform& to_world, bool inverted) {
+  ShapePtr shape = to_world.is_identity() ? object.shape : object.shape->placed(to_world);
+  return inverted ? shape->inverted() : shape;
+}
+
+std::optional<Solid> region(const Object& object, const Transform& to_world, bool inverted) {
+  if (object.kind == Object::Kind::light || (object.kind == Object::Kind::shape && !object.shape)) return std::nullopt;
+  const Transform here = object.placement.then(to_world);
+  const bool complement = inverted != object.inverted;
+  Solid solid;
+  solid.kind = solid_kind(object.kind, complement);
+  solid.part = kNoIndex;
+  if (object.kind == Object::Kind::shape) {
+    solid.shape = placed_shape(object, here, complement);
+  } else {
+    solid.members = regions(object.children, here, complement);
+  }
+  solid.clips = regions(clips_of(object), here);
+  solid.bounds = regions(bounds_of(object), here);
+  solid.close();
+  return solid;
+}
+
+}  // namespace
+
+/// The scene as far as it has been described. Objects are frozen as they arrive, so the descriptions need not be kept.
+struct SceneBuilder::State {
+  std::unique_ptr<Scene> scene = std::make_unique<Scene>();
+  TextureTable textures;
+  TexturePtr default_texture;  ///< of the object that is being added
+  bool has_camera = false;
+
+  Inherited at_node(const Object& object, const Inherited& parent);
+  void promote_finish(std::uint32_t texture, std::uint32_t interior);
+  void link(const Object& object, const Inherited& parent);
+  std::optional<Solid> freeze(const Object& object, const Inherited& parent, bool top_level);
+  void add_part(Solid& solid, const Inherited& leaf);
+};
+
+/// What holds at `object`: its own where it has it, else its parent's.
+Inherited SceneBuilder::State::at_node(const Object& object, const Inherited& parent) {
+  Inherited node = parent;
+  node.to_world = object.placement.then(parent.to_world);
+  if (object.texture) node.texture = textures.index_of(object.texture, object.texture_placement.then(parent.to_world));
+  if (object.interior_texture) {
+    node.interior_texture =
+        textures.index_of(object.interior_texture, object.interior_texture_placement.then(parent.to_world));
+  }
+  if (node.texture == kNoIndex && object.kind == Object::Kind::shape && default_texture) {
+    node.texture = textures.index_of(default_texture, Transform());
+  }
+  if (object.interior || node.interior == kNoIndex) {
+    Interior interior = object.interior.value_or(Interior());
+    if (!object.interior) interior.ior = scene->settings.atmosphere_ior;
+    node.interior = static_cast<std::uint32_t>(scene->interiors.size());
+    scene->interiors.push_back(interior);
+  }
+  if (node.texture != kNoIndex) promote_finish(node.texture, node.interior);
+  node.hidden_from |= hidden_bits(object);
+  node.inverted = parent.inverted != object.inverted;
+  node.double_illuminate |= object.double_illuminate;
+  return node;
+}
+
+/// Old scenes give the index of refraction in the finish. Parts that share an interior share what the last of them
+/// says.
+void SceneBuilder::State::promote_finish(std::uint32_t texture, std::uint32_t interior) {
+  Interior& matter = scene->interiors[interior];
+  const Texture& look = textures.texture(texture);
+  if (!look.layers.empty()) {
+    const Finish& finish = look.layers.front().finish;
+    if (finish.legacy_ior > 0.0) matter.ior = finish.legacy_ior;
+    matter.refraction_scale = finish.legacy_refraction;
+  }
+  if (matter.ior == 0.0) matter.ior = scene->settings.atmosphere_ior;
+}
+
+/// Makes top-level solids of `object`. A union that nothing cuts is nothing but its members: rays meet them faster one
+/// by one. They keep their order, for of members that meet a ray at equal depths POV-Ray shows the first.
+void SceneBuilder::State::link(const Object& object, const Inherited& parent) {
+  const bool inverted = parent.inverted != object.inverted;
+  const bool cut = !is_empty(object.clipped_by) || !is_empty(object.bounded_by);
+  if (object.kind != Object::Kind::shape && object.kind != Object::Kind::light && !cut &&
+      solid_kind(object.kind, inverted) == Solid::Kind::union_) {
+    if (is_empty(object.children)) return;
+    const Inherited node = at_node(object, parent);
+    for (const Object& child : *object.children) link(child, node);
+    return;
+  }
+  std::optional<Solid> solid = freeze(object, parent, true);
+  if (solid && has_surface(*solid)) scene->solids.push_back(std::move(*solid));
+}
+
+/// `object` as one solid, closed; nothing for a light, which goes to the scene's lights.
+std::optional<Solid> SceneBuilder::State::freeze(const Object& object, const Inherited& parent, bool top_level) {
+  if (object.kind == Object::Kind::light) {
+    scene->lights.push_back(placed(object.light, object.placement.then(parent.to_world)));
+    return std::nullopt;
+  }
+  if (object.kind == Object::Kind::shape && !object.shape) return std::nullopt;
+  const Inherited node = at_node(object, parent);
+  Solid solid;
+  solid.kind = solid_kind(object.kind, node.inverted);
+  solid.hidden_from = node.hidden_from;
+  if (object.kind == Object::Kind::shape) {
+    solid.shape = placed_shape(object, node.to_world, node.inverted);
+    add_part(solid, node);
+  } else if (object.children) {
+    solid.members.reserve(object.children->size());
+    for (const Object& child : *object.children) {
+      if (std::optional<Solid> member = freeze(child, node, false)) solid.members.push_back(std::move(*member));
+    }
+  }
+  solid.clips = regions(clips_of(object), node.to_world);
+  // POV-Ray drops the bounds of a simple shape at top level (Remove_Bounds), so there a wrong bound cuts nothing away.
+  if (!top_level || object.kind != Object::Kind::shape) solid.bounds = regions(bounds_of(object), node.to_world);
+  solid.close();
+  return solid;
+}
+
+void SceneBuilder::State::add_part(Solid& solid, const Inherited& leaf) {
+  Part part;
+  part.shape = solid.shape;
+  part.texture = leaf.texture;
+  part.interior_texture = leaf.interior_texture;
+  part.interior = leaf.interior;
+  part.object = static_cast<std::uint32_t>(scene->object_names.size() - 1);
+  part.opaque = leaf.texture != kNoIndex && textures.opaque(leaf.texture) &&
+                (leaf.interior_texture == kNoIndex || textures.opaque(leaf.interior_texture));
+  part.inverted = leaf.inverted;
+  part.double_illuminate = leaf.double_illuminate;
+  solid.part = static_cast<std::uint32_t>(scene->parts.size());
+  scene->parts.push_back(std::move(part));
+}
+
+SceneBuilder::SceneBuilder() : state_(std::make_unique<State>()) {}
+SceneBuilder::~SceneBuilder() = default;
+SceneBuilder::SceneBuilder(SceneBuilder&&) noexcept = default;
+SceneBuilder& SceneBuilder::operator=(SceneBuilder&&) noexcept = default;
+
+void SceneBuilder::set_camera(const Camera& camera) {
+  state_->scene->camera = camera;
+  state_->has_camera = true;
+}
+
+bool SceneBuilder::has_camera() const { return state_->has_camera; }
+Settings& SceneBuilder::settings() { return state_->scene->settings; }
+const Settings& SceneBuilder::settings() const { return state_->scene->settings; }
+
+void SceneBuilder::add(Object object, TexturePtr default_texture) {
+  state_->default_texture = std::move(default_texture);
+  state_->scene->object_names.push_back(std::move(object.name));
+  state_->link(object, Inherited());
+}
+
+std::size_t SceneBuilder::object_count() const { return state_->scene->solids.size(); }
+
+std::unique_ptr<const Scene> SceneBuilder::build() {
+  state_->scene->textures = state_->textures.take();
+  std::unique_ptr<const Scene> scene = std::move(state_->scene);
+  state_ = std::make_unique<State>();
+  return scene;
+}
+
+}  // namespace firstlight::render

@@ -1,0 +1,40 @@
+#include "render/scene/texture_table.h"
+
+#include <algorithm>
+#include <bit>
+#include <functional>
+
+namespace firstlight::render {
+namespace {
+
+bool same_everywhere(const Texture& texture) {
+  return std::none_of(texture.layers.begin(), texture.layers.end(),
+                      [](const TextureLayer& layer) { return layer.pigment.pattern != nullptr; });
+}
+
+}  // namespace
+
+std::size_t TextureTable::KeyHash::operator()(const Key& key) const {
+  std::uint64_t hash = std::hash<const Texture*>()(key.texture);
+  for (int row = 0; row < 4; ++row) {
+    for (int column = 0; column < 3; ++column) {
+      const double number = key.to_world[row][column] + 0.0;  // -0 and 0 are equal, so they must hash alike
+      hash = (hash ^ std::bit_cast<std::uint64_t>(number)) * 0x9e3779b97f4a7c15u;
+      hash ^= hash >> 29;
+    }
+  }
+  return static_cast<std::size_t>(hash);
+}
+
+std::uint32_t TextureTable::index_of(const TexturePtr& texture, const Transform& to_world) {
+  const Transform place = same_everywhere(*texture) ? Transform() : to_world;
+  const auto [found, is_new] =
+      places_.try_emplace({texture.get(), place.matrix()}, static_cast<std::uint32_t>(entries_.size()));
+  if (is_new) {
+    entries_.push_back({texture, place.inverse()});
+    opaque_.push_back(is_opaque(*texture));
+  }
+  return found->second;
+}
+
+}  // namespace firstlight::render

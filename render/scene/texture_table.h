@@ -1,0 +1,37 @@
+#pragma once
+
+#include "render/scene/scene.h"
+
+#include <cstdint>
+#include <unordered_map>
+#include <vector>
+
+namespace firstlight::render {
+
+/// Numbers the textures of a scene while it is built: one entry for each texture in each place. Textures without
+/// patterns look the same everywhere, so one entry serves all their places.
+class TextureTable {
+ public:
+  /// The entry of `texture`, placed by `to_world`. Pre: not null.
+  std::uint32_t index_of(const TexturePtr& texture, const Transform& to_world);
+  const Texture& texture(std::uint32_t index) const { return *entries_[index].texture; }
+  bool opaque(std::uint32_t index) const { return opaque_[index]; }
+  std::vector<PlacedTexture> take() { return std::move(entries_); }
+
+ private:
+  struct Key {
+    const Texture* texture;
+    Mat4 to_world;
+
+    bool operator==(const Key&) const = default;
+  };
+  struct KeyHash {
+    std::size_t operator()(const Key& key) const;
+  };
+
+  std::vector<PlacedTexture> entries_;
+  std::vector<bool> opaque_;
+  std::unordered_map<Key, std::uint32_t, KeyHash> places_;
+};
+
+}  // namespace firstlight::render
