@@ -1,0 +1,33 @@
+#include "priority/schemes.h"
+
+#include <bit>
+
+namespace firstlight::priority {
+namespace {
+
+/// The more a ray can change its pixel, the earlier it leaves: by the largest component of the weight of a radiance
+/// ray, or of the light that a feeler would take back. Buckets are a sixteenth of an octave wide.
+/// Source   Yagel & Meeker 1997, section 4, "contribution".
+class Contribution final : public Scheme {
+ public:
+  std::string_view name() const override { return "contribution"; }
+
+  void keys(std::span<const render::RayTask> tasks, std::span<Key> keys) const override {
+    for (std::size_t i = 0; i < tasks.size(); ++i) keys[i] = bucket(render::max_magnitude(tasks[i].weight));
+  }
+
+ private:
+  // The bits of a float without its sign grow with its size, so the exponent and the leading bits of the mantissa are
+  // a logarithm in steps of 1/16 octave. Not-a-number ends in the top bucket and comes to no harm there.
+  static Key bucket(float size) {
+    constexpr int kMantissaBits = 23;
+    constexpr int kStepBits = 4;
+    return (std::bit_cast<std::uint32_t>(size) & 0x7fffffffu) >> (kMantissaBits - kStepBits);
+  }
+};
+
+}  // namespace
+
+std::unique_ptr<const Scheme> make_contribution(const SchemeInput&) { return std::make_unique<Contribution>(); }
+
+}  // namespace firstlight::priority

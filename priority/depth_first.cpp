@@ -1,0 +1,46 @@
+#include "priority/depth_first.h"
+
+namespace firstlight::priority {
+namespace {
+
+// The ray on top of the stack, or all feelers there: siblings, whose order makes no difference and which have no children.
+std::size_t size_of_top(std::span<const render::RayTask> stack) {
+  std::size_t count = 1;
+  if (stack.back().kind != render::RayKind::shadow) return count;
+  while (count < stack.size() && stack[stack.size() - count - 1].kind == render::RayKind::shadow) ++count;
+  return count;
+}
+
+}  // namespace
+
+void DepthFirst::run(std::span<const render::RayTask> roots) {
+  stack_.assign(roots.begin(), roots.end());
+  while (!stack_.empty() && !frame_.stopped()) {
+    const std::size_t count = size_of_top(stack_);
+    stepper_.step(std::span(stack_).last(count));
+    frame_.add(stepper_.light());
+    stack_.resize(stack_.size() - count);
+    stack_.insert(stack_.end(), stepper_.spawned().begin(), stepper_.spawned().end());
+  }
+}
+
+void trace_recursively(Frame& frame, render::Stepper& stepper) {
+  DepthFirst depth_first(frame, stepper);
+  std::vector<render::RayTask> primaries;
+  std::uint64_t reported = 0;
+  while (const auto tile = frame.next_tile()) {
+    primaries.clear();
+    frame.tiles().append(*tile, primaries);
+    for (const render::RayTask& primary : primaries) {
+      if (frame.stopped()) return;
+      stepper.step({&primary, 1});
+      frame.add(stepper.light());
+      if (&primary == &primaries.back()) frame.tile_is_lit();
+      depth_first.run(stepper.spawned());
+    }
+    frame.traced(stepper.counts().total() - reported);
+    reported = stepper.counts().total();
+  }
+}
+
+}  // namespace firstlight::priority

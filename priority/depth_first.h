@@ -1,0 +1,32 @@
+#pragma once
+
+#include "priority/frame.h"
+#include "render/trace/step.h"
+
+#include <span>
+#include <vector>
+
+namespace firstlight::priority {
+
+/// Traces rays with all that come of them at once, depth first, keeping what still has to be done on a stack.
+///
+/// Memory   the siblings on the way from a root to the ray at hand.
+/// Threads  One a thread.
+class DepthFirst {
+ public:
+  /// Pre: `frame` and `stepper` outlive this.
+  DepthFirst(Frame& frame, render::Stepper& stepper) : frame_(frame), stepper_(stepper) {}
+
+  /// Pre: `roots` may be the stepper's spawned().
+  void run(std::span<const render::RayTask> roots);
+
+ private:
+  Frame& frame_;
+  render::Stepper& stepper_;
+  std::vector<render::RayTask> stack_;
+};
+
+/// The traditional order, the baseline of all comparisons: pixel by pixel, each with its whole tree, depth first.
+void trace_recursively(Frame& frame, render::Stepper& stepper);
+
+}  // namespace firstlight::priority

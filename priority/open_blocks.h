@@ -1,0 +1,37 @@
+#pragma once
+
+#include "priority/block_pool.h"
+#include "priority/ray_queue.h"
+#include "priority/slot.h"
+
+#include <array>
+#include <span>
+#include <vector>
+
+namespace firstlight::priority {
+
+/// One worker's blocks under construction, one a slot; full ones go to the shared queue.
+///
+/// Cost     a 64-byte copy a ray; a lock a block.
+/// Threads  One a thread.
+class OpenBlocks {
+ public:
+  OpenBlocks(BlockPool& pool, RayQueue& queue) : pool_(pool), queue_(queue), open_{} {}
+
+  /// Copies each task to the block of its key. Pre: equal sizes, keys below kBuckets.
+  void scatter(std::span<const render::RayTask> tasks, std::span<const Key> keys);
+  /// The highest slot with an open block, kNoSlot when there is none.
+  int top() const { return used_.top(); }
+  /// Removes and returns the open block of `slot`. Pre: there is one.
+  Block* take(Slot slot);
+  /// Gives all open blocks to the queue.
+  void flush();
+
+ private:
+  BlockPool& pool_;
+  RayQueue& queue_;
+  std::array<Block*, kSlots> open_;
+  SlotSet used_;
+};
+
+}  // namespace firstlight::priority

@@ -1,0 +1,54 @@
+#pragma once
+
+#include "priority/key.h"
+#include "render/scene/solid.h"
+
+#include <array>
+#include <bit>
+#include <cstdint>
+
+namespace firstlight::priority {
+
+/// The list a waiting ray is kept in: one for each key and for radiance and shadow rays apart, so that a block holds
+/// one kind of work. A larger slot leaves first; of one key, radiance leaves before shadows.
+using Slot = std::uint32_t;
+constexpr Slot kSlots = 2 * kBuckets;
+/// Less than every slot.
+constexpr int kNoSlot = -1;
+
+constexpr Slot slot_of(Key key, render::RayKind kind) { return 2 * key + (kind == render::RayKind::shadow ? 0u : 1u); }
+constexpr Key key_of(Slot slot) { return slot / 2; }
+
+/// A set of slots whose largest member is found in a few instructions: a bitmap of bitmaps.
+class SlotSet {
+ public:
+  void insert(Slot slot) {
+    words_[slot / 64] |= bit(slot % 64);
+    summary_[slot / 4096] |= bit(slot / 64 % 64);
+  }
+  void erase(Slot slot) {
+    words_[slot / 64] &= ~bit(slot % 64);
+    if (words_[slot / 64] == 0) summary_[slot / 4096] &= ~bit(slot / 64 % 64);
+  }
+  /// kNoSlot when empty.
+  int top() const {
+    for (Slot s = kSummaries; s-- > 0;) {
+      if (summary_[s] == 0) continue;
+      const Slot word = 64 * s + highest(summary_[s]);
+      return static_cast<int>(64 * word + highest(words_[word]));
+    }
+    return kNoSlot;
+  }
+
+ private:
+  static constexpr Slot kSummaries = kSlots / 4096;
+  static_assert(kSlots % 4096 == 0);
+
+  static constexpr std::uint64_t bit(Slot index) { return std::uint64_t{1} << index; }
+  static constexpr Slot highest(std::uint64_t word) { return 63u - static_cast<Slot>(std::countl_zero(word)); }
+
+  std::array<std::uint64_t, kSlots / 64> words_{};
+  std::array<std::uint64_t, kSummaries> summary_{};  // bit w: words_[w] is not 0
+};
+
+}  // namespace firstlight::priority
