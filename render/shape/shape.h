@@ -1,5 +1,6 @@
 #pragma once
 
+#include "render/math/bounds.h"
 #include "render/math/transform.h"
 #include "render/math/vec.h"
 
@@ -34,8 +35,11 @@ class Shape {
   virtual bool inside(const Vec3& point) const = 0;
   /// Unit outward normal at a crossing that this shape reported. Inverted shapes point inwards.
   virtual Vec3 normal(const Vec3& point, const Crossing& crossing) const = 0;
-  /// World box; infinite when the shape is unbounded.
+  /// World box of the surface; infinite when the shape is unbounded.
   virtual Box3 bounds() const = 0;
+  /// Every point outside this box is outside the shape. Infinite for a complement or a half space; otherwise it holds
+  /// bounds().
+  virtual Box3 inside_bounds() const { return boundless_box(); }
   /// The same shape moved on by `transform`.
   virtual std::shared_ptr<const Shape> placed(const Transform& transform) const = 0;
   /// The complement: inside and outside exchanged, surface unchanged.

@@ -1,0 +1,99 @@
+#include "render/math/polynomial.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+
+namespace firstlight::render {
+namespace {
+
+template <std::size_t N>
+double value(const std::array<double, N>& c, double x) {
+  double sum = c[N - 1];
+  for (std::size_t i = N - 1; i-- > 0;) sum = sum * x + c[i];
+  return sum;
+}
+
+template <std::size_t N>
+std::array<double, N - 1> derivative(const std::array<double, N>& c) {
+  std::array<double, N - 1> d;
+  for (std::size_t i = 1; i < N; ++i) d[i - 1] = static_cast<double>(i) * c[i];
+  return d;
+}
+
+/// The root between `a` and `b`, where the curve is monotone and changes sign: Newton's steps, kept in the bracket by
+/// bisection.
+template <std::size_t N>
+double bracketed_root(const std::array<double, N>& c, const std::array<double, N - 1>& slope, double a, double b,
+                      bool negative_at_a) {
+  const double enough = 1e-15 * std::max({std::abs(a), std::abs(b), b - a});
+  double x = 0.5 * (a + b);
+  for (int round = 0; round < 80; ++round) {
+    const double f = value(c, x);
+    if ((f < 0.0) == negative_at_a) {
+      a = x;
+    } else {
+      b = x;
+    }
+    double next = x - f / value(slope, x);
+    if (!(next > a && next < b)) next = 0.5 * (a + b);
+    const double step = std::abs(next - x);
+    x = next;
+    if (step <= enough || b - a <= enough) break;
+  }
+  return x;
+}
+
+/// Numerically stable quadratic formula.
+int roots_between(const std::array<double, 3>& c, double low, double high, std::array<double, 2>& roots) {
+  double x1;
+  double x2;
+  int count = 0;
+  if (c[2] == 0.0) {
+    if (c[1] == 0.0) return 0;
+    x1 = x2 = -c[0] / c[1];
+    if (x1 >= low && x1 <= high) roots[static_cast<std::size_t>(count++)] = x1;
+    return count;
+  }
+  const double discriminant = c[1] * c[1] - 4.0 * c[2] * c[0];
+  if (!(discriminant >= 0.0)) return 0;
+  const double q = -0.5 * (c[1] + std::copysign(std::sqrt(discriminant), c[1]));
+  x1 = q / c[2];
+  x2 = q != 0.0 ? c[0] / q : x1;
+  if (x1 > x2) std::swap(x1, x2);
+  if (x1 >= low && x1 <= high) roots[static_cast<std::size_t>(count++)] = x1;
+  if (x2 >= low && x2 <= high && x2 != x1) roots[static_cast<std::size_t>(count++)] = x2;
+  return count;
+}
+
+template <std::size_t N>
+int roots_between(const std::array<double, N>& c, double low, double high, std::array<double, N - 1>& roots) {
+  const std::array<double, N - 1> slope = derivative(c);
+  std::array<double, N - 2> turns;
+  const int turn_count = roots_between(slope, low, high, turns);
+  int count = 0;
+  double a = low;
+  bool negative_at_a = value(c, a) < 0.0;
+  for (int i = 0; i <= turn_count; ++i) {
+    const double b = i < turn_count ? turns[static_cast<std::size_t>(i)] : high;
+    const bool negative_at_b = value(c, b) < 0.0;
+    if (negative_at_a != negative_at_b) {
+      roots[static_cast<std::size_t>(count++)] = bracketed_root(c, slope, a, b, negative_at_a);
+    }
+    a = b;
+    negative_at_a = negative_at_b;
+  }
+  return count;
+}
+
+}  // namespace
+
+int quartic_roots(const std::array<double, 5>& c, double low, double high, std::array<double, 4>& roots) {
+  return low < high ? roots_between(c, low, high, roots) : 0;
+}
+
+int cubic_roots(const std::array<double, 4>& c, double low, double high, std::array<double, 3>& roots) {
+  return low < high ? roots_between(c, low, high, roots) : 0;
+}
+
+}  // namespace firstlight::render

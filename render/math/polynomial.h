@@ -1,0 +1,18 @@
+#pragma once
+
+#include <array>
+
+namespace firstlight::render {
+
+/// Real roots of c[0] + c[1] x + c[2] x^2 + c[3] x^3 + c[4] x^4 in [low, high], ascending; returns how many. Roots where
+/// the curve only touches zero without changing sign are left out.
+///
+/// Between two neighbouring extrema a polynomial is monotone, so each sign change brackets exactly one root; the
+/// extrema are the roots of the derivative, found the same way. No root is lost or invented by cancellation, as happens
+/// to the closed formulas of Ferrari and Cardano. [Yuksel, High-Performance Polynomial Root Finding for Graphics, 2022]
+int quartic_roots(const std::array<double, 5>& c, double low, double high, std::array<double, 4>& roots);
+
+/// The same for c[0] + c[1] x + c[2] x^2 + c[3] x^3.
+int cubic_roots(const std::array<double, 4>& c, double low, double high, std::array<double, 3>& roots);
+
+}  // namespace firstlight::render

@@ -1,0 +1,47 @@
+#include "render/shape/box.h"
+
+#include "render/shape/primitives.h"
+
+#include <algorithm>
+
+namespace firstlight::render {
+namespace {
+
+bool keeps_axes(const Mat4& m) {
+  return m[0][1] == 0.0 && m[0][2] == 0.0 && m[1][0] == 0.0 && m[1][2] == 0.0 && m[2][0] == 0.0 && m[2][1] == 0.0;
+}
+
+AxisBox ordered(const Vec3& a, const Vec3& b) {
+  AxisBox box;
+  for (int axis = 0; axis < 3; ++axis) {
+    box.low[axis] = std::min(a[axis], b[axis]);
+    box.high[axis] = std::max(a[axis], b[axis]);
+  }
+  return box;
+}
+
+}  // namespace
+
+void Box::crossings(const Ray& ray, std::vector<Crossing>& out) const {
+  Met met;
+  box_.meet(ray, met);
+  for (std::size_t i = 0; i < met.count; ++i) out.push_back({met.depth[i], this, 0, met.face[i]});
+}
+
+Vec3 Box::normal(const Vec3& point, const Crossing& crossing) const {
+  const Vec3 n = box_.normal(point, crossing.face);
+  return inverted_ ? -n : n;
+}
+
+ShapePtr Box::placed(const Transform& transform) const {
+  if (keeps_axes(transform.matrix())) {
+    return std::make_shared<Box>(ordered(transform.point(box_.low), transform.point(box_.high)), inverted_);
+  }
+  return std::make_shared<Placed<AxisBox>>(box_, transform, inverted_);
+}
+
+ShapePtr make_box(const Vec3& corner1, const Vec3& corner2) {
+  return std::make_shared<Box>(ordered(corner1, corner2), false);
+}
+
+}  // namespace firstlight::render

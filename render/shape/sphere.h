@@ -1,0 +1,50 @@
+#pragma once
+
+#include "render/shape/shape.h"
+#include "render/shape/tolerance.h"
+
+#include <cmath>
+
+namespace firstlight::render {
+
+/// Where a ray with a direction of unit length passes through a sphere.
+/// Source   POV-Ray 3.7: grazing rays whose half chord squared is below 1e-10 miss.
+inline bool meet_sphere(const Ray& ray, const Vec3& center, double radius_squared, double& enters, double& leaves) {
+  const Vec3 to_center = center - ray.origin;
+  const double distance_squared = to_center.dot(to_center);
+  const double closest_approach = to_center.dot(ray.direction);
+  if (distance_squared >= radius_squared && closest_approach < kEpsilon) return false;
+  const double half_chord_squared = radius_squared - distance_squared + closest_approach * closest_approach;
+  if (!(half_chord_squared > kEpsilon)) return false;
+  const double half_chord = std::sqrt(half_chord_squared);
+  enters = closest_approach - half_chord;
+  leaves = closest_approach + half_chord;
+  return true;
+}
+
+/// Whether a sphere's crossing at this depth counts.
+inline bool sphere_depth_counts(double depth) { return depth > kNearestCrossing && depth < kMaxDistance; }
+
+/// A sphere that is round in world space. Anything but a similarity makes an ellipsoid of it, another class.
+class Sphere final : public Shape {
+ public:
+  Sphere(const Vec3& center, double radius, bool inverted);
+
+  const Vec3& center() const { return center_; }
+  double radius_squared() const { return radius_ * radius_; }
+
+  void crossings(const Ray& ray, std::vector<Crossing>& out) const override;
+  bool inside(const Vec3& point) const override;
+  Vec3 normal(const Vec3& point, const Crossing& crossing) const override;
+  Box3 bounds() const override;
+  Box3 inside_bounds() const override;
+  ShapePtr placed(const Transform& transform) const override;
+  ShapePtr inverted() const override;
+
+ private:
+  Vec3 center_;
+  double radius_;
+  bool inverted_;
+};
+
+}  // namespace firstlight::render

@@ -1,0 +1,85 @@
+#include "render/math/polynomial.h"
+#include "render/shape/placed.h"
+#include "render/shape/primitives.h"
+#include "render/shape/tolerance.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace firstlight::render {
+namespace {
+
+constexpr double kNearestTorusCrossing = 1e-4;  ///< in world space; POV-Ray's for this shape
+constexpr double kRoom = 1e-9;                  ///< relative: the search goes this much beyond the bounding shapes
+
+/// A tube of radius `minor` around a circle of radius `major` in the plane y = 0, both positive.
+///
+/// The surface is (|p|^2 - R^2 - r^2)^2 + 4 R^2 (y^2 - r^2) = 0, along a ray a quartic in the depth. When r > R that
+/// surface has a second, inner sheet; POV-Ray shows it, and so do we.
+struct Torus {
+  double major;
+  double minor;
+
+  void meet(const Ray& given, Met& met) const {
+    const double length = given.direction.length();
+    const Vec3 d = given.direction / length;
+    // Depths are counted from the point nearest to the centre: there the coefficients keep their digits, however far
+    // away the ray starts.
+    const double skipped = -given.origin.dot(d);
+    const Vec3 p = given.origin + d * skipped;
+    const double reach = (major + minor) * (1.0 + kRoom);
+    const double distance_squared = p.length2();
+    const double half_squared = reach * reach - distance_squared;
+    if (!(half_squared > 0.0)) return;
+    const double half = std::sqrt(half_squared);
+    double low = std::max(-half, kNearestTorusCrossing * length - skipped);
+    double high = std::min(half, kMaxDistance * length - skipped);
+    const double top = minor * (1.0 + kRoom);
+    if (std::abs(d.y) > kEpsilon) {
+      const double t1 = (-top - p.y) / d.y;
+      const double t2 = (top - p.y) / d.y;
+      low = std::max(low, std::min(t1, t2));
+      high = std::min(high, std::max(t1, t2));
+    } else if (std::abs(p.y) > top) {
+      return;
+    }
+    if (!(low < high)) return;
+
+    const double r2_major = major * major;
+    const double r2_minor = minor * minor;
+    const double k1 = distance_squared - r2_major - r2_minor;
+    const double k2 = p.dot(d);
+    const std::array<double, 5> quartic = {k1 * k1 + 4.0 * r2_major * (p.y * p.y - r2_minor),
+                                           4.0 * (k1 * k2 + 2.0 * r2_major * p.y * d.y),
+                                           2.0 * k1 + 4.0 * k2 * k2 + 4.0 * r2_major * d.y * d.y, 4.0 * k2, 1.0};
+    std::array<double, 4> roots;
+    const int count = quartic_roots(quartic, low, high, roots);
+    for (int i = 0; i < count; ++i) {
+      const double depth = (roots[static_cast<std::size_t>(i)] + skipped) / length;
+      if (depth > kNearestTorusCrossing && depth < kMaxDistance) met.add(depth);
+    }
+  }
+  bool inside(const Vec3& p, bool inverted) const {
+    const double from_circle = std::sqrt(p.x * p.x + p.z * p.z) - major;
+    return (p.y * p.y + from_circle * from_circle <= minor * minor) != inverted;
+  }
+  Vec3 normal(const Vec3& p, std::uint32_t) const {
+    const double from_axis = std::sqrt(p.x * p.x + p.z * p.z);
+    if (!(from_axis > kEpsilon)) return p;
+    const double to_circle = major / from_axis;
+    return Vec3(p.x - p.x * to_circle, p.y, p.z - p.z * to_circle);
+  }
+  Box3 bounds() const {
+    const double outer = major + minor;
+    return Box3(Vec3(-outer, -minor, -outer), Vec3(outer, minor, outer));
+  }
+  Box3 inside_bounds() const { return bounds(); }
+};
+
+}  // namespace
+
+ShapePtr make_torus(double major, double minor) {
+  return std::make_shared<Placed<Torus>>(Torus{std::abs(major), std::abs(minor)}, Transform());
+}
+
+}  // namespace firstlight::render

@@ -1,0 +1,167 @@
+#include "render/shape/triangle.h"
+
+#include "render/shape/primitives.h"
+#include "render/shape/tolerance.h"
+
+#include <cmath>
+#include <utility>
+
+namespace firstlight::render {
+namespace {
+
+/// The axis of the largest component; of equals the last, as POV-Ray has it.
+int dominant_axis(const Vec3& v) {
+  const double x = std::abs(v.x);
+  const double y = std::abs(v.y);
+  const double z = std::abs(v.z);
+  if (x > y) return x > z ? 0 : 2;
+  return y > z ? 1 : 2;
+}
+
+/// A triangle has two sides and no inside; inverting it changes nothing.
+class Triangle final : public Shape {
+ public:
+  explicit Triangle(const FlatTriangle& flat) : flat_(flat) {}
+
+  void crossings(const Ray& ray, std::vector<Crossing>& out) const override {
+    const double depth = flat_.meet(ray);
+    if (depth > 0.0) out.push_back({depth, this, 0, 0});
+  }
+  bool inside(const Vec3&) const override { return false; }
+  Vec3 normal(const Vec3&, const Crossing&) const override { return flat_.normal(); }
+  Box3 bounds() const override { return flat_.bounds(); }
+  Box3 inside_bounds() const override { return flat_.bounds(); }
+  ShapePtr placed(const Transform& transform) const override {
+    const auto& [a, b, c] = flat_.corners();
+    return std::make_shared<Triangle>(FlatTriangle({transform.point(a), transform.point(b), transform.point(c)}));
+  }
+  ShapePtr inverted() const override { return std::make_shared<Triangle>(*this); }
+
+ private:
+  FlatTriangle flat_;
+};
+
+/// A triangle shaded as if it were curved: the normal is interpolated between those given at its corners.
+class SmoothTriangle final : public Shape {
+ public:
+  using Normals = std::array<Vec3, 3>;
+
+  /// `normals` belong to `corners` as they are given here.
+  SmoothTriangle(const FlatTriangle::Corners& corners, const Normals& normals) : flat_(corners), normals_(normals) {
+    if (flat_.swapped()) std::swap(normals_[0], normals_[1]);
+    prepare();
+  }
+
+  bool valid() const { return valid_; }
+  void crossings(const Ray& ray, std::vector<Crossing>& out) const override {
+    if (!valid_) return;
+    const double depth = flat_.meet(ray);
+    if (depth > 0.0) out.push_back({depth, this, 0, 0});
+  }
+  bool inside(const Vec3&) const override { return false; }
+  /// A line from the first corner through the point meets the opposite edge at `v` of its length; the point lies at `u`
+  /// of the way there.
+  Vec3 normal(const Vec3& point, const Crossing&) const override {
+    const auto& [a, b, c] = flat_.corners();
+    const auto& [na, nb, nc] = normals_;
+    const Vec3 from_a = point - a;
+    const double u = from_a.dot(to_edge_);
+    if (u < kEpsilon) return na;
+    const double v = (from_a[edge_axis_] / u + a[edge_axis_] - b[edge_axis_]) / (c[edge_axis_] - b[edge_axis_]);
+    return (na + (nb - na + (nc - nb) * v) * u).normalized();
+  }
+  Box3 bounds() const override { return valid_ ? flat_.bounds() : Box3(); }
+  Box3 inside_bounds() const override { return bounds(); }
+  ShapePtr placed(const Transform& transform) const override {
+    const auto& [a, b, c] = flat_.corners();
+    const auto& [na, nb, nc] = normals_;
+    return std::make_shared<SmoothTriangle>(
+        FlatTriangle::Corners{transform.point(a), transform.point(b), transform.point(c)},
+        Normals{transform.normal(na).normalized(), transform.normal(nb).normalized(),
+                transform.normal(nc).normalized()});
+  }
+  ShapePtr inverted() const override { return std::make_shared<SmoothTriangle>(*this); }
+
+ private:
+  void prepare() {
+    if (!flat_.valid()) return;
+    const auto& [a, b, c] = flat_.corners();
+    edge_axis_ = dominant_axis(c - b);
+    const Vec3 along = (b - c).normalized();
+    const Vec3 from_c = a - c;
+    const Vec3 across = (along * from_c.dot(along) - from_c).normalized();
+    to_edge_ = across / -from_c.dot(across);
+    // POV-Ray shows the triangle only when all three normals are on one side of it.
+    int above = 0;
+    int below = 0;
+    for (const Vec3& n : normals_) {
+      above += flat_.normal().dot(n) > 0.0;
+      below += flat_.normal().dot(n) < 0.0;
+    }
+    valid_ = above == 3 || below == 3;
+  }
+
+  FlatTriangle flat_;
+  Normals normals_;
+  Vec3 to_edge_{0.0};  ///< dotted with a step from the first corner: how much of the way to the opposite edge
+  int edge_axis_ = 0;
+  bool valid_ = false;
+};
+
+}  // namespace
+
+FlatTriangle::FlatTriangle(const Corners& corners) : corners_(corners) {
+  auto& [a, b, c] = corners_;
+  normal_ = (a - b).cross(c - b);
+  const double length = normal_.length();
+  if (!(length > 0.0) || !std::isfinite(length)) return;
+  valid_ = true;
+  normal_ /= length;
+  offset_ = -normal_.dot(a);
+  const int axis = dominant_axis(normal_);
+  u_ = axis == 0 ? 1 : 0;
+  v_ = axis == 2 ? 1 : 2;
+  swapped_ = (b[u_] - c[u_]) * (b[v_] - a[v_]) < (b[v_] - c[v_]) * (b[u_] - a[u_]);
+  if (swapped_) std::swap(a, b);
+}
+
+/// Twice the signed area between the edge and a point of the projection; negative outside.
+double FlatTriangle::edge_side(std::size_t from, std::size_t to, double u, double v) const {
+  const Vec3& a = corners_[from];
+  const Vec3& b = corners_[to];
+  return (b[u_] - u) * (b[v_] - a[v_]) - (b[v_] - v) * (b[u_] - a[u_]);
+}
+
+double FlatTriangle::meet(const Ray& ray) const {
+  if (!valid_) return -1.0;
+  const double approach = normal_.dot(ray.direction);
+  if (!(std::abs(approach) >= kEpsilon)) return -1.0;
+  const double depth = -(offset_ + normal_.dot(ray.origin)) / approach;
+  if (!(depth >= kNearestCrossing && depth <= kMaxDistance)) return -1.0;
+  const double u = ray.origin[u_] + depth * ray.direction[u_];
+  const double v = ray.origin[v_] + depth * ray.direction[v_];
+  const bool outside = edge_side(0, 1, u, v) < 0.0 || edge_side(1, 2, u, v) < 0.0 || edge_side(2, 0, u, v) < 0.0;
+  return outside ? -1.0 : depth;
+}
+
+Box3 FlatTriangle::bounds() const {
+  Box3 box;
+  if (!valid_) return box;
+  for (const Vec3& corner : corners_) box.extendBy(corner);
+  return box;
+}
+
+ShapePtr make_triangle(const Vec3& a, const Vec3& b, const Vec3& c) {
+  const FlatTriangle flat({a, b, c});
+  return flat.valid() ? std::make_shared<Triangle>(flat) : nullptr;
+}
+
+ShapePtr make_smooth_triangle(const Vec3& a, const Vec3& normal_a, const Vec3& b, const Vec3& normal_b, const Vec3& c,
+                              const Vec3& normal_c) {
+  auto triangle = std::make_shared<SmoothTriangle>(
+      FlatTriangle::Corners{a, b, c},
+      SmoothTriangle::Normals{normal_a.normalized(), normal_b.normalized(), normal_c.normalized()});
+  return triangle->valid() ? triangle : nullptr;
+}
+
+}  // namespace firstlight::render
