@@ -1,5 +1,6 @@
 #pragma once
 
+#include "render/math/bounds.h"
 #include "render/math/vec.h"
 #include "render/shape/shape.h"
 
@@ -34,12 +35,16 @@ class Solid {
   std::vector<Solid> members;
   std::vector<Solid> clips;
   std::vector<Solid> bounds;
-  Box3 box;  ///< world bounds of what remains visible; filled by close()
+  /// World bounds of what remains visible, with room for rounding; filled by close(). Empty: nothing remains.
+  Box3 box = boundless_box();
+  /// Every point outside of it is outside the solid; filled by close().
+  Box3 inside_box = boundless_box();
 
-  /// Fills `box` from the members; call once, bottom up, when the solid is complete.
+  /// Fills the boxes from the members; call once, bottom up, when the solid is complete.
   void close();
 
-  /// Appends all crossings that belong to the solid's surface. `hidden_bit` is the bit of the asking ray's kind.
+  /// Appends all crossings that belong to the solid's surface. `hidden_bit` is the bit of the asking ray's kind; it
+  /// chooses among members, while whether the solid itself is hidden is the caller's to ask.
   void crossings(const Ray& ray, std::uint8_t hidden_bit, std::vector<Crossing>& out) const;
   bool inside(const Vec3& point) const;
 };
