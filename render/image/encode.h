@@ -1,0 +1,42 @@
+#pragma once
+
+#include "render/math/color.h"
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+namespace firstlight::render {
+
+/// How the colour numbers that a scene is computed in become the numbers in a picture file.
+///
+/// Units    Working numbers: 0 is black, 1 is white, any range. File numbers: 0 to 255 on the sRGB curve.
+/// Source   sRGB: IEC 61966-2-1. Rounding and clipping are POV-Ray 3.7's for 8-bit files without dithering.
+class Encoding {
+ public:
+  /// Working numbers are proportional to light.
+  static Encoding linear() { return Encoding(Curve::srgb, 1.0); }
+  /// Working numbers are light ^ (1 / exponent). An exponent within 0.01 of 1 counts as 1.
+  static Encoding power(double exponent);
+  /// Working numbers are file numbers already, but for the range.
+  static Encoding as_is() { return Encoding(Curve::none, 1.0); }
+
+  /// What a file of 8 bits a channel holds. Not-a-number is black.
+  std::uint8_t byte(float working) const;
+  /// What a file of linear light (OpenEXR, Radiance) holds: unclipped, finite.
+  float light(float working) const;
+
+ private:
+  enum class Curve { srgb, none };
+
+  Encoding(Curve curve, double exponent) : curve_(curve), exponent_(static_cast<float>(exponent)) {}
+
+  Curve curve_;
+  float exponent_;
+};
+
+/// Red green blue of each colour.
+std::vector<std::uint8_t> to_bytes(std::span<const Rgb> colors, const Encoding& encoding);
+std::vector<float> to_light(std::span<const Rgb> colors, const Encoding& encoding);
+
+}  // namespace firstlight::render

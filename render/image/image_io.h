@@ -1,0 +1,38 @@
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace firstlight::render {
+
+/// A picture as an 8-bit file holds it: red green blue of each pixel, rows from the top.
+struct Picture {
+  int width = 0;
+  int height = 0;
+  std::vector<std::uint8_t> rgb;
+
+  bool operator==(const Picture&) const = default;
+};
+
+// Writing. The picture is written under another name in the same folder and renamed when it is complete, so a file of
+// the name is never half written, and a failure leaves what was there. The result is empty, or says in plain words why
+// the picture could not be written. `format` is an extension without its dot and rules when given; else the path's
+// extension does. Formats of 8 bits: png, tga, ppm, bmp, jpg; of linear light: exr, hdr.
+
+/// Whether files of that kind hold linear light (write_light) instead of 8-bit values (write_picture).
+bool holds_light(const std::string& path, std::string_view format = {});
+std::string write_picture(const std::string& path, const Picture& picture, std::string_view format = {});
+/// `light` holds red green blue of each pixel, rows from the top. Pre: 3 * width * height numbers.
+std::string write_light(const std::string& path, int width, int height, std::span<const float> light,
+                        std::string_view format = {});
+/// `rgb` as in Picture. Pre: 3 * width * height bytes.
+std::string write_png(const std::string& path, int width, int height, std::span<const std::uint8_t> rgb);
+
+/// Reads a file of any format that OpenImageIO knows as 8-bit values; an alpha channel is dropped, grey becomes colour.
+/// On failure `error` says why and the picture is empty.
+Picture read_image(const std::string& path, std::string& error);
+
+}  // namespace firstlight::render
