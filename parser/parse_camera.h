@@ -1,0 +1,11 @@
+#pragma once
+
+#include "parser/reader.h"
+#include "parser/statements.h"
+
+namespace firstlight::parser {
+
+/// A `camera` block, whose word has been taken; `start` is what it alters.
+render::Camera parse_camera(Reader& reader, const Token& word, const render::Camera& start);
+
+}  // namespace firstlight::parser

@@ -1,0 +1,147 @@
+#include "parser/parse_camera.h"
+#include "parser/parse_common.h"
+#include "parser/parse_surface.h"
+#include "parser/parse_transform.h"
+#include "parser/statements.h"
+
+#include <memory>
+#include <utility>
+
+namespace firstlight::parser {
+
+namespace {
+
+template <class T>
+Value shared(T value) {
+  return std::make_shared<const T>(std::move(value));
+}
+
+/// Textures in a row are the layers of one.
+Value parse_textures(Reader& reader, SceneContext& context) {
+  render::TexturePtr texture;
+  while (reader.next_is(Keyword::texture)) {
+    const Token word = reader.take();
+    texture = layered(reader, parse_texture(reader, context, word), texture);
+  }
+  return texture;
+}
+
+/// Counts the declarations under way, whatever way they end.
+class Declaring {
+ public:
+  explicit Declaring(SceneContext& context) : context_(context) { ++context_.declaring; }
+  ~Declaring() { --context_.declaring; }
+  Declaring(const Declaring&) = delete;
+  Declaring& operator=(const Declaring&) = delete;
+
+ private:
+  SceneContext& context_;
+};
+
+/// One thing said in `#default`. False: the next word is none.
+bool accept_default(Reader& reader, SceneContext& context) {
+  const Token word = reader.peek();
+  if (word.kind != TokenKind::keyword) return false;
+  switch (word.keyword) {
+    case Keyword::texture: {
+      reader.take();
+      const render::TexturePtr texture = parse_texture(reader, context, word);
+      if (texture->layers.size() != 1) reader.fail(word, "the default texture cannot have layers");
+      context.default_texture = texture;
+      context.default_pigment_given = true;
+      return true;
+    }
+    case Keyword::pigment: {
+      reader.take();
+      auto texture = std::make_shared<render::Texture>(*context.default_texture);
+      texture->layers[0].pigment = parse_pigment(reader, context, word, texture->layers[0].pigment, true);
+      context.default_texture = texture;
+      context.default_pigment_given = true;
+      return true;
+    }
+    case Keyword::finish: {
+      reader.take();
+      auto texture = std::make_shared<render::Texture>(*context.default_texture);
+      texture->layers[0].finish = parse_finish(reader, word, texture->layers[0].finish);
+      context.default_texture = texture;
+      return true;
+    }
+    case Keyword::camera:
+      reader.take();
+      context.default_camera = parse_camera(reader, word, context.default_camera);
+      return true;
+    case Keyword::radiosity:  // without radiosity its default importance means nothing
+      reader.take();
+      skip_block(reader, word);
+      return true;
+    case Keyword::normal:
+      fail_unsupported(reader, reader.take());
+    default:
+      return false;
+  }
+}
+
+}  // namespace
+
+std::optional<Value> parse_declarable(Reader& reader, SceneContext& context) {
+  const Token word = reader.peek();
+  if (word.kind != TokenKind::keyword) return std::nullopt;
+  const Declaring declaring(context);
+  switch (word.keyword) {
+    case Keyword::texture:
+      return parse_textures(reader, context);
+    case Keyword::pigment:
+      reader.take();
+      return shared(parse_default_pigment(reader, context, word));
+    case Keyword::finish:
+      reader.take();
+      return shared(parse_finish(reader, word, context.default_texture->layers[0].finish));
+    case Keyword::interior:
+      reader.take();
+      return shared(parse_interior(reader, word, std::nullopt));
+    case Keyword::material: {
+      reader.take();
+      Material material;
+      parse_material(reader, context, word, material);
+      return shared(std::move(material));
+    }
+    case Keyword::color_map:
+      reader.take();
+      return shared(parse_color_map(reader, word));
+    case Keyword::camera:
+      reader.take();
+      return shared(parse_camera(reader, word, context.default_camera));
+    case Keyword::transform:
+      reader.take();
+      return shared(parse_transform(reader, word));
+    case Keyword::density:
+    case Keyword::density_map:
+    case Keyword::fog:
+    case Keyword::media:
+    case Keyword::normal:
+    case Keyword::normal_map:
+    case Keyword::pigment_map:
+    case Keyword::rainbow:
+    case Keyword::sky_sphere:
+    case Keyword::slope_map:
+    case Keyword::texture_map:
+      fail_unsupported(reader, reader.take());
+    default:
+      break;
+  }
+  auto object = parse_object(reader, context);
+  if (!object) return std::nullopt;
+  return shared(std::move(*object));
+}
+
+void parse_default(Reader& reader, SceneContext& context) {
+  Token word;
+  word.text = "default";
+  word.location = reader.peek().location;
+  reader.open_block(word);
+  while (accept_default(reader, context)) {
+  }
+  reader.close_block();
+}
+
+}  // namespace firstlight::parser

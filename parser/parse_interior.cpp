@@ -1,0 +1,83 @@
+#include "parser/parse_common.h"
+#include "parser/parse_surface.h"
+#include "parser/parse_transform.h"
+
+namespace firstlight::parser {
+
+using render::Interior;
+using render::Transform;
+
+namespace {
+
+bool accept_item(Reader& reader, Interior& interior) {
+  if (reader.accept(Keyword::ior)) {
+    interior.ior = finite_number(reader, "ior");
+    if (interior.ior == 0.0) interior.ior = 1.0;  // 0 stands for the air around
+  } else if (reader.accept(Keyword::fade_distance)) {
+    interior.fade_distance = finite_number(reader, "fade_distance");
+  } else if (reader.accept(Keyword::fade_power)) {
+    interior.fade_power = finite_number(reader, "fade_power");
+  } else if (reader.accept(Keyword::fade_color)) {
+    interior.fade_color = reader.color().rgb;
+  } else if (reader.next_is(Keyword::refraction)) {
+    const Token word = reader.take();
+    interior.refraction_scale = finite_number(reader, "refraction");
+    reader.warn(word, "'refraction' is not needed to make light bend");
+  } else if (reader.next_is(Keyword::dispersion)) {
+    const Token word = reader.take();
+    if (reader.number() != 1.0) fail_unsupported(reader, word);
+  } else if (reader.accept(Keyword::dispersion_samples)) {
+    const Token at = reader.peek();
+    if (!(reader.number() >= 2.0)) reader.fail(at, "'dispersion_samples' must be at least 2");
+  } else if (reader.next_is(Keyword::caustics)) {
+    const Token word = reader.take();
+    if (reader.number() != 0.0) fail_unsupported(reader, word);
+  } else if (reader.next_is(Keyword::media)) {
+    fail_unsupported(reader, reader.take());
+  } else {
+    return false;
+  }
+  return true;
+}
+
+}  // namespace
+
+Interior parse_interior(Reader& reader, const Token& word, const std::optional<Interior>& start) {
+  reader.open_block(word);
+  Interior interior = start.value_or(Interior());
+  if (const auto declared = reader.accept_declared<Interior>()) interior = *declared;
+  while (accept_item(reader, interior)) {
+  }
+  reader.close_block();
+  return interior;
+}
+
+void parse_material(Reader& reader, SceneContext& context, const Token& word, Material& material) {
+  reader.open_block(word);
+  if (const auto declared = reader.accept_declared<Material>()) {
+    material.texture = layered(reader, moved(declared->texture, declared->texture_placement), material.texture);
+    material.interior_texture = layered(reader, declared->interior_texture, material.interior_texture);
+    material.interior = declared->interior;
+  }
+  for (;;) {
+    if (reader.next_is(Keyword::texture)) {
+      const Token inner = reader.take();
+      material.texture = layered(reader, parse_texture(reader, context, inner), material.texture);
+    } else if (reader.next_is(Keyword::interior_texture)) {
+      const Token inner = reader.take();
+      material.interior_texture = layered(reader, parse_texture(reader, context, inner), material.interior_texture);
+    } else if (reader.next_is(Keyword::interior)) {
+      const Token inner = reader.take();
+      std::optional<Interior> start;
+      if (material.interior) start = *material.interior;
+      material.interior = std::make_shared<const Interior>(parse_interior(reader, inner, start));
+    } else if (const auto transform = accept_transformation(reader)) {
+      material.texture = moved(material.texture, *transform);
+    } else {
+      break;
+    }
+  }
+  reader.close_block();
+}
+
+}  // namespace firstlight::parser

@@ -1,0 +1,76 @@
+#include "parser/parse_camera.h"
+#include "parser/parse_common.h"
+#include "parser/parse_object.h"
+#include "parser/parse_settings.h"
+#include "parser/statements.h"
+
+#include <string>
+
+namespace firstlight::parser {
+
+using render::Object;
+
+namespace {
+
+void parse_scene_camera(Reader& reader, SceneContext& context) {
+  const Token word = reader.take();
+  if (language_version(reader) >= 350) {
+    if (context.builder.has_camera()) reader.warn(word, "more than one camera in the scene; the last one counts");
+    context.camera = context.default_camera;
+  }
+  context.camera = parse_camera(reader, word, context.camera);
+  context.builder.set_camera(context.camera);
+}
+
+void parse_top_object(Reader& reader, SceneContext& context) {
+  const Token at = reader.peek();
+  auto object = parse_object(reader, context);
+  if (!object) reader.fail_expected("an object or a directive");
+  if (context.has_absent) refuse_absent(reader, at, *object);
+  context.leaves += object->leaves;
+  if (context.leaves > kMaxLeaves) {
+    reader.fail(at, "the scene has more than " + std::to_string(kMaxLeaves) + " shapes");
+  }
+  context.builder.add(std::move(*object), context.default_texture);
+}
+
+void parse_statement(Reader& reader, SceneContext& context) {
+  const Token& next = reader.peek();
+  if (next.kind != TokenKind::keyword) return parse_top_object(reader, context);
+  switch (next.keyword) {
+    case Keyword::camera:
+      return parse_scene_camera(reader, context);
+    case Keyword::background:
+      return parse_background(reader, context, reader.take());
+    case Keyword::global_settings:
+      return parse_global_settings(reader, context, reader.take());
+    case Keyword::default_:
+      reader.take();
+      return parse_default(reader, context);
+    case Keyword::max_trace_level: {
+      const Token word = reader.take();
+      reader.warn(word, "'max_trace_level' belongs in 'global_settings'");
+      return parse_max_trace_level(reader, context, word);
+    }
+    case Keyword::max_intersections:
+      return parse_max_intersections(reader, reader.take());
+    case Keyword::fog:
+    case Keyword::media:
+    case Keyword::rainbow:
+    case Keyword::sky_sphere:
+      fail_unsupported(reader, reader.take());
+    default:
+      return parse_top_object(reader, context);
+  }
+}
+
+}  // namespace
+
+void parse_scene(Reader& reader, SceneContext& context) {
+  while (!reader.peek().is_end()) parse_statement(reader, context);
+  const Token end = reader.peek();
+  if (!context.builder.has_camera()) reader.fail(end, "expected a camera, found none in the whole scene");
+  if (context.leaves == 0) reader.warn(end, "there are no objects in the scene");
+}
+
+}  // namespace firstlight::parser

@@ -1,0 +1,17 @@
+#pragma once
+
+#include "parser/reader.h"
+#include "parser/statements.h"
+
+namespace firstlight::parser {
+
+/// The block after `global_settings`, whose word has been taken.
+void parse_global_settings(Reader& reader, SceneContext& context, const Token& word);
+/// The block after `background`, whose word has been taken.
+void parse_background(Reader& reader, SceneContext& context, const Token& word);
+/// The number after `max_trace_level`, wherever that stands.
+void parse_max_trace_level(Reader& reader, SceneContext& context, const Token& word);
+/// The number after `max_intersections`, which has no meaning any more.
+void parse_max_intersections(Reader& reader, const Token& word);
+
+}  // namespace firstlight::parser
