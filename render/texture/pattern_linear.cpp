@@ -9,7 +9,7 @@ namespace {
 
 class Gradient final : public Pattern {
  public:
-  explicit Gradient(const Vec3& axis) : axis_(axis) {}
+  explicit Gradient(const Vec3& unit_axis) : axis_(unit_axis) {}
 
   /// Only values above 1 are folded back: 1 itself stays, so the far end of a unit gradient keeps its last colour, and
   /// negative values are left to the wave, which folds them upwards. [POV-Ray 3.7]
@@ -24,6 +24,9 @@ class Gradient final : public Pattern {
 
 }  // namespace
 
-std::shared_ptr<const Pattern> make_gradient(const Vec3& axis) { return std::make_shared<Gradient>(axis); }
+std::shared_ptr<const Pattern> make_gradient(const Vec3& axis) {
+  const double length = axis.length();
+  return std::make_shared<Gradient>(length > 0.0 ? axis / length : axis);
+}
 
 }  // namespace firstlight::render

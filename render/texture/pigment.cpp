@@ -57,7 +57,7 @@ FilteredColor blend(const FilteredColor& a, const FilteredColor& b, double t) {
 /// the value and the one before it. Of several entries at one position the first ends the range below, the last
 /// begins the range above. Maps are short and need not be sorted, so they are searched from the front.
 FilteredColor look_up(const ColorMap& map, double value) {
-  if (!(value < stored(map.back().position))) return map.back().color;
+  if (value >= stored(map.back().position)) return map.back().color;
   std::size_t above = 0;
   while (stored(map[above].position) < value) ++above;
   const double end = stored(map[above].position);
