@@ -1,5 +1,6 @@
 #pragma once
 
+#include "parser/token.h"
 #include "render/camera/camera.h"
 #include "render/math/color.h"
 #include "render/math/transform.h"
@@ -18,6 +19,8 @@ namespace firstlight::parser {
 
 struct Array;
 struct Macro;
+struct TokenFile;
+struct Unsupported;
 
 /// A vector of 2 to 5 numbers, or a single number (size 1). `is_color` records that it was made by a colour keyword, which
 /// decides what POV-Ray makes of it when it is declared.
@@ -49,8 +52,36 @@ using Value = std::variant<std::monostate,                              // decla
                            std::shared_ptr<const Material>,             // material
                            std::shared_ptr<const render::ColorMap>,     // color_map
                            std::shared_ptr<const render::Camera>,       // camera
-                           std::shared_ptr<const render::Transform>>;   // transform
+                           std::shared_ptr<const render::Transform>,    // transform
+                           std::shared_ptr<const Unsupported>>;         // what cannot be rendered
 
+/// `array [2][3]`: elements in the order of the text; std::monostate where nothing has been stored. All elements are of
+/// one kind, that of the first one stored.
+struct Array {
+  std::vector<std::uint32_t> sizes;
+  std::vector<Value> elements;
+  std::uint32_t depth = 1;  ///< 1, or more for arrays of arrays
+};
+
+/// `#macro Name(A, B) ... #end`: the tokens between, to be read again at each call.
+struct Macro {
+  std::string_view name;
+  std::vector<std::uint32_t> parameters;  ///< symbols
+  const TokenFile* file = nullptr;
+  std::uint32_t begin = 0, end = 0;  ///< into the file's tokens
+};
+
+/// A value that was declared but cannot be rendered, such as a function. Only its use is an error, for standard include
+/// files declare much that a scene never asks for.
+struct Unsupported {
+  Token word;       ///< the word that is not supported
+  std::string why;  ///< the message
+};
+
+/// A copy that shares nothing that can be changed.
+Value copy_of(const Value& value);
+/// Number that tells kinds of value apart, numbers by their count.
+std::size_t kind_of(const Value& value);
 /// The word a message uses for the kind of `value`: "float", "vector", "texture" ...
 std::string_view kind_name(const Value& value);
 

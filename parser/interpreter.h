@@ -1,0 +1,123 @@
+#pragma once
+
+#include "parser/language_state.h"
+#include "parser/random_streams.h"
+#include "parser/statements.h"
+#include "parser/token_stream.h"
+
+#include <cstdint>
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace firstlight::parser {
+
+/// Obeys the directives of the language: declarations, conditions, loops, macros, included files. Reader is its face
+/// towards the statements.
+///
+/// Errors   Throws SyntaxError.
+/// Limits   Steps, that is turns of loops and calls of macros, are bounded by kMostSteps: an endless loop ends with a message.
+class Interpreter final : public TokenStream {
+ public:
+  static constexpr std::size_t kDeepestInclude = 64;
+  static constexpr std::size_t kMostElements = 1u << 24;  // in one array
+  static constexpr std::size_t kDeepestArray = 20;        // of arrays in arrays
+  static constexpr std::size_t kLongestString = 1u << 20;
+  static constexpr std::uint64_t kMostSteps = 100'000'000;
+
+  Interpreter(const render::LoadOptions& options, render::Diagnostics& diagnostics, SceneContext& context);
+
+  void open_scene(const std::string& path);
+  /// At the end of the scene: what POV-Ray says about version and gamma, and the settings that follow.
+  void finish();
+
+  // --- what expressions and statements ask for ----------------------------------------------------------------------
+  LanguageState& language() { return language_; }
+  int language_version() const { return language_.version(); }
+  int effective_language_version() const { return language_.effective_version(); }
+  /// `assumed_gamma`; false when an earlier one holds.
+  bool set_assumed_gamma(render::WorkingGamma gamma, double exponent = 1.0) {
+    return language_.set_assumed_gamma(gamma, exponent);
+  }
+  RandomStreams& random() { return random_; }
+  const render::LoadOptions& options() const { return options_; }
+  bool file_exists(const std::string& name) const;
+  /// `(name)` behind `defined` or `#ifdef`: whether it is declared; of an array's element, whether it has a value.
+  bool parse_defined();
+  /// An old directive without `#`: `declare`, `include`, `version`.
+  void run_bare_directive();
+
+ private:
+  /// A loop or a choice whose `#end` has not been reached.
+  struct Condition {
+    enum class Kind { if_, while_, for_, switch_ };
+    Kind kind = Kind::if_;
+    std::size_t frame = 0;     // depth of the frame it is in
+    std::uint32_t hash = 0;    // of its first directive
+    std::uint32_t symbol = 0;  // of #for
+    double end = 0.0, step = 0.0;
+    double value = 0.0;  // of #switch
+  };
+  /// What `#declare` writes to.
+  struct Target {
+    Token name;
+    Scopes::Slot slot;
+    std::shared_ptr<Array> array;  // when it is an element
+  };
+  /// A value, and the slot of the name that it was read from, when it was a single name.
+  struct Argument {
+    Value value;
+    Scopes::Slot reference;
+    std::uint32_t scope = 0;
+    bool needs_semicolon = false;
+  };
+
+  // directive.cpp
+  void run_directive() override;
+  void obey(const Token& word, std::uint32_t hash);
+  void run_version(const Token& word);
+  void run_message(const Token& word);
+  void run_undef();
+  void run_default();
+  void run_include(const Token& word);
+  const TokenFile& tokens_of(const SourceFile& file);
+  void count_step(const Location& at);
+  // conditional.cpp
+  bool condition_holds();
+  void run_if(const Token& word, std::uint32_t hash);
+  void run_further_branch(const Token& word);
+  void run_switch(const Token& word, std::uint32_t hash);
+  bool case_applies(Keyword word, double value);
+  void run_while(std::uint32_t hash);
+  void run_for(const Token& word, std::uint32_t hash);
+  void run_end(const Token& word);
+  void run_break(const Token& word);
+  std::uint32_t end_of_block(std::uint32_t hash) const;
+  void go_behind(std::uint32_t end);
+  Condition& innermost(const Token& word);
+  // macro.cpp
+  void define_macro(std::uint32_t hash);
+  void call_macro(const Token& name, const std::shared_ptr<const Macro>& macro) override;
+  // declare.cpp
+  void run_declare(const Token& word, bool after_hash);
+  Target parse_target(const Token& word);
+  Argument parse_argument(bool parameter);
+  void check_redeclared(const Target& target, const Value& value);
+  Value store_unparsed(const Checkpoint& start, const Token& word, std::string why);
+  // array.cpp
+  Scopes::Slot pick_element(const Scopes::Slot& array, const Token& name, bool may_be_empty) override;
+  std::size_t parse_subscripts(const Array& array, const Token& name);
+  Value parse_array();
+  void parse_initializer(Array& array, std::size_t dimension, std::size_t& element, const Token& owner);
+  void check_element(Array& array, const Value& value, const Location& at);
+
+  SceneContext& context_;
+  LanguageState language_;
+  RandomStreams random_;
+  std::vector<std::unique_ptr<TokenFile>> token_files_;  // by SourceFile::index
+  std::vector<Condition> conditions_;
+  std::size_t includes_ = 0;
+  std::uint64_t steps_ = 0;
+};
+
+}  // namespace firstlight::parser

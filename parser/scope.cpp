@@ -1,0 +1,43 @@
+#include "parser/scope.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace firstlight::parser {
+
+std::vector<Scopes::Binding>& Scopes::bindings(std::uint32_t symbol) {
+  if (symbol >= bindings_.size()) bindings_.resize(std::max<std::size_t>(symbol + 1, bindings_.size() * 2));
+  return bindings_[symbol];
+}
+
+void Scopes::leave() {
+  const std::uint32_t scope = current();
+  for (const std::uint32_t symbol : symbols_of_scope_.back()) {
+    std::vector<Binding>& stack = bindings_[symbol];
+    while (!stack.empty() && stack.back().scope >= scope) stack.pop_back();
+  }
+  symbols_of_scope_.pop_back();
+}
+
+Scopes::Slot Scopes::target(std::uint32_t symbol, bool local) {
+  std::vector<Binding>& stack = bindings(symbol);
+  if (!stack.empty() && (!local || stack.back().scope == current())) return stack.back().slot;
+  if (local) {
+    bind(symbol, std::make_shared<Value>());
+    return stack.back().slot;
+  }
+  stack.push_back({kGlobal, std::make_shared<Value>()});
+  return stack.back().slot;
+}
+
+void Scopes::bind(std::uint32_t symbol, Slot slot) {
+  bindings(symbol).push_back({current(), std::move(slot)});
+  symbols_of_scope_.back().push_back(symbol);
+}
+
+void Scopes::remove(std::uint32_t symbol) {
+  std::vector<Binding>& stack = bindings(symbol);
+  if (!stack.empty()) stack.pop_back();
+}
+
+}  // namespace firstlight::parser

@@ -1,0 +1,52 @@
+#pragma once
+
+#include "parser/value.h"
+
+#include <cstdint>
+#include <memory>
+#include <vector>
+
+namespace firstlight::parser {
+
+/// The declared names. Scopes nest by what is being read: the scene (1), then each included file and each macro call. A name
+/// means what the innermost scope that has it says, whoever calls whom. [POV-Ray 3.7 manual, "Identifier name collisions"]
+///
+/// Cost     find O(1): each symbol keeps its own stack of bindings.
+class Scopes {
+ public:
+  static constexpr std::uint32_t kGlobal = 1;
+
+  /// A place that holds a value: a name's own, or one element of an array, or, for a macro parameter, the caller's.
+  using Slot = std::shared_ptr<Value>;
+  struct Binding {
+    std::uint32_t scope = 0;
+    Slot slot;
+  };
+
+  Scopes() { enter(); }
+
+  std::uint32_t current() const { return static_cast<std::uint32_t>(symbols_of_scope_.size()); }
+  void enter() { symbols_of_scope_.emplace_back(); }
+  void leave();
+
+  /// Null when the name is not declared; one declared but without a value yet counts as undeclared.
+  const Binding* find(std::uint32_t symbol) const {
+    if (symbol >= bindings_.size() || bindings_[symbol].empty()) return nullptr;
+    const Binding& binding = bindings_[symbol].back();
+    return std::holds_alternative<std::monostate>(*binding.slot) ? nullptr : &binding;
+  }
+  /// The slot that `#declare` (`local` false) or `#local` writes to; made when there is none.
+  Slot target(std::uint32_t symbol, bool local);
+  /// Binds the name in the current scope, over any other meaning.
+  void bind(std::uint32_t symbol, Slot slot);
+  /// Removes the innermost meaning of the name.
+  void remove(std::uint32_t symbol);
+
+ private:
+  std::vector<Binding>& bindings(std::uint32_t symbol);
+
+  std::vector<std::vector<Binding>> bindings_;                // by symbol; the innermost last
+  std::vector<std::vector<std::uint32_t>> symbols_of_scope_;  // by scope - 1
+};
+
+}  // namespace firstlight::parser

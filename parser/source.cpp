@@ -1,0 +1,173 @@
+#include "parser/source.h"
+
+#include <algorithm>
+#include <array>
+#include <cctype>
+#include <fstream>
+#include <system_error>
+#include <utility>
+
+namespace firstlight::parser {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+// Where the povray-includes package puts the standard include files.
+constexpr std::array<const char*, 2> kStandardIncludeFolders = {"/usr/share/povray-3.7/include",
+                                                                "/usr/share/povray/include"};
+
+std::string lower_case(std::string text) {
+  std::transform(text.begin(), text.end(), text.begin(), [](unsigned char c) { return std::tolower(c); });
+  return text;
+}
+
+fs::path canonical(const fs::path& path) {
+  std::error_code error;
+  fs::path result = fs::weakly_canonical(path, error);
+  return error ? fs::path() : result;
+}
+
+bool is_file(const fs::path& path) {
+  std::error_code error;
+  return fs::is_regular_file(path, error);
+}
+
+// The names an include may go by: POV-Ray appends the extension where it is absent.
+std::vector<std::string> candidate_names(const std::string& name) {
+  if (fs::path(name).has_extension()) return {name};
+  return {name + ".inc", name + ".INC", name};
+}
+
+// `relative` below `folder`, each part of it in whatever case it exists there; empty when there is none.
+fs::path find_ignoring_case(const fs::path& folder, const fs::path& relative) {
+  fs::path place = folder;
+  for (const fs::path& part : relative) {
+    std::error_code error;
+    if (part == "." || part == ".." || fs::exists(place / part, error)) {
+      place /= part;
+      continue;
+    }
+    const std::string wanted = lower_case(part.string());
+    // The first in alphabetical order, so that the choice does not depend on the file system.
+    std::string best;
+    for (fs::directory_iterator entry(place, error), end; !error && entry != end; entry.increment(error)) {
+      const std::string found = entry->path().filename().string();
+      if (lower_case(found) == wanted && (best.empty() || found < best)) best = found;
+    }
+    if (best.empty()) return {};
+    place /= best;
+  }
+  return place;
+}
+
+std::vector<std::uint32_t> find_line_starts(std::string_view text) {
+  std::vector<std::uint32_t> starts{0};
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    const bool lone_return = text[i] == '\r' && (i + 1 == text.size() || text[i + 1] != '\n');
+    if (text[i] == '\n' || lone_return) starts.push_back(static_cast<std::uint32_t>(i + 1));
+  }
+  return starts;
+}
+
+}  // namespace
+
+std::string SourceFile::line(std::uint32_t number) const {
+  if (number == 0 || number > line_starts.size()) return {};
+  const std::size_t begin = line_starts[number - 1];
+  std::size_t end = number < line_starts.size() ? line_starts[number] : text.size();
+  while (end > begin && (text[end - 1] == '\n' || text[end - 1] == '\r')) --end;
+  return text.substr(begin, end - begin);
+}
+
+render::Diagnostic diagnostic_at(const SourceFile& file, const Location& location,
+                                 render::Diagnostic::Severity severity, std::string message) {
+  render::Diagnostic result;
+  result.severity = severity;
+  result.file = file.name;
+  result.line = location.line;
+  result.column = location.column;
+  result.length = std::max<std::uint32_t>(location.length, 1);
+  result.message = std::move(message);
+  result.source_line = file.line(location.line);
+  return result;
+}
+
+SourceFiles::Result SourceFiles::read_scene(const std::string& path, const std::vector<std::string>& library_paths) {
+  std::error_code error;
+  folders_.push_back(canonical(fs::current_path(error)));
+  folders_.push_back(canonical(fs::absolute(path, error)).parent_path());
+  for (const std::string& folder : library_paths) folders_.push_back(canonical(folder));
+  for (const char* folder : kStandardIncludeFolders) folders_.push_back(canonical(folder));
+  if (!fs::exists(path, error)) return {Status::missing, nullptr, path, false};
+  return read(path, path);
+}
+
+SourceFiles::Result SourceFiles::read_include(const std::string& name, const SourceFile& from) {
+  const Found found = find(name, from);
+  if (found.path.empty()) return {Status::missing, nullptr, name, false};
+  if (!may_read(canonical(found.path))) return {Status::forbidden, nullptr, found.path.string(), false};
+  Result result = read(found.path, found.path.lexically_normal().string());
+  result.other_case = found.other_case;
+  return result;
+}
+
+bool SourceFiles::exists(const std::string& name, const SourceFile& from) const {
+  const Found found = find(name, from);
+  return !found.path.empty() && may_read(canonical(found.path));
+}
+
+SourceFiles::Found SourceFiles::find(const std::string& name, const SourceFile& from) const {
+  if (name.empty() || name.find('\0') != std::string::npos) return {};
+  // The current directory's files keep the name they were asked for, which makes for short messages.
+  std::vector<fs::path> folders = {fs::path()};
+  folders.insert(folders.end(), folders_.begin() + 1, folders_.end());
+  folders.insert(folders.begin() + 2, from.path.parent_path());
+  for (const fs::path& folder : folders) {
+    for (const std::string& candidate : candidate_names(name)) {
+      if (is_file(folder / candidate)) return {folder / candidate, false};
+    }
+  }
+  if (fs::path(name).is_absolute()) return {};
+  for (const fs::path& folder : folders) {
+    for (const std::string& candidate : candidate_names(name)) {
+      const fs::path found = find_ignoring_case(folder.empty() ? fs::path(".") : folder, candidate);
+      if (!found.empty() && is_file(found)) return {found, true};
+    }
+  }
+  return {};
+}
+
+bool SourceFiles::may_read(const fs::path& path) const {
+  return std::any_of(folders_.begin(), folders_.end(), [&](const fs::path& folder) {
+    if (folder.empty()) return false;
+    const auto [in_folder, in_path] = std::mismatch(folder.begin(), folder.end(), path.begin(), path.end());
+    return in_folder == folder.end();
+  });
+}
+
+SourceFiles::Result SourceFiles::read(const fs::path& path, std::string name) {
+  const fs::path where = canonical(path);
+  for (const auto& file : files_) {
+    if (file->path == where) return {Status::found, file.get(), name, false};
+  }
+  std::error_code error;
+  if (!is_file(path)) return {Status::unreadable, nullptr, name, false};
+  const std::uintmax_t size = fs::file_size(path, error);
+  if (error) return {Status::unreadable, nullptr, name, false};
+  if (size > kLargestFile) return {Status::too_large, nullptr, name, false};
+  std::ifstream stream(path, std::ios::binary);
+  auto file = std::make_unique<SourceFile>();
+  file->text.resize(size);
+  if (!stream || !stream.read(file->text.data(), static_cast<std::streamsize>(size))) {
+    return {Status::unreadable, nullptr, name, false};
+  }
+  file->index = static_cast<std::uint32_t>(files_.size());
+  file->name = std::move(name);
+  file->path = where;
+  file->line_starts = find_line_starts(file->text);
+  files_.push_back(std::move(file));
+  return {Status::found, files_.back().get(), files_.back()->name, false};
+}
+
+}  // namespace firstlight::parser

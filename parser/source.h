@@ -1,0 +1,67 @@
+#pragma once
+
+#include "parser/token.h"
+#include "render/scene/diagnostic.h"
+
+#include <filesystem>
+#include <memory>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace firstlight::parser {
+
+/// One file of scene text, as read.
+/// Memory   Lives as long as the SourceFiles it came from; tokens hold views into `text`.
+struct SourceFile {
+  std::uint32_t index = 0;               ///< Location::file of its tokens
+  std::string name;                      ///< for messages
+  std::filesystem::path path;            ///< canonical
+  std::string text;
+  std::vector<std::uint32_t> line_starts;  ///< byte offsets
+
+  std::string line(std::uint32_t number) const;  ///< without its end; numbers count from 1
+};
+
+/// A message about a place in `file`.
+render::Diagnostic diagnostic_at(const SourceFile& file, const Location& location,
+                                 render::Diagnostic::Severity severity, std::string message);
+
+/// Finds and reads the files a scene is made of, each once.
+///
+/// Order    A relative name is looked for in the current directory, the scene's folder, the including file's folder, the
+///          library paths, the standard include folders [POV-Ray 3.7 asks the current directory first too].
+/// Limits   Only regular files of at most kLargestFile bytes under one of those folders are read: a scene is untrusted.
+class SourceFiles {
+ public:
+  static constexpr std::uintmax_t kLargestFile = 64u << 20;
+
+  enum class Status { found, missing, forbidden, too_large, unreadable };
+  struct Result {
+    Status status = Status::missing;
+    const SourceFile* file = nullptr;  ///< of `found`
+    std::string path;                  ///< what was tried last, for messages
+    bool other_case = false;           ///< found only by ignoring the case of letters
+  };
+
+  /// The scene itself may lie anywhere; its folder becomes readable.
+  Result read_scene(const std::string& path, const std::vector<std::string>& library_paths);
+  Result read_include(const std::string& name, const SourceFile& from);
+  /// Whether an include of that name would be found.
+  bool exists(const std::string& name, const SourceFile& from) const;
+  const SourceFile& file(std::uint32_t index) const { return *files_[index]; }
+
+ private:
+  struct Found {
+    std::filesystem::path path;
+    bool other_case = false;
+  };
+  Found find(const std::string& name, const SourceFile& from) const;
+  bool may_read(const std::filesystem::path& canonical) const;
+  Result read(const std::filesystem::path& path, std::string name);
+
+  std::vector<std::filesystem::path> folders_;  ///< searched in this order; the first is the current directory
+  std::vector<std::unique_ptr<SourceFile>> files_;
+};
+
+}  // namespace firstlight::parser

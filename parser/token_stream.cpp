@@ -1,0 +1,229 @@
+#include "parser/token_stream.h"
+
+#include <utility>
+
+namespace firstlight::parser {
+
+using render::Diagnostic;
+
+namespace {
+
+constexpr std::size_t kLongestCallChain = 8;       // calls a message tells of
+constexpr std::size_t kMostDiagnostics = 10'000;  // kept of one scene; a loop may warn at every turn
+
+}  // namespace
+
+TokenStream::Nesting::Nesting(TokenStream& stream) : stream_(stream) {
+  if (stream_.nesting_ >= kDeepestExpression) {
+    stream_.fail(stream_.raw_next().location, "expressions, declarations or macro arguments are nested too deeply here (limit " +
+                                                  std::to_string(kDeepestExpression) + ")");
+  }
+  ++stream_.nesting_;
+}
+
+// --- tokens ---------------------------------------------------------------------------------------------------------
+
+void TokenStream::settle() {
+  unsettle();
+  for (;;) {
+    Frame& frame = frames_.back();
+    if (frame.position >= frame.end) {
+      if (frames_.size() > 1) {
+        leave_frame();
+        continue;
+      }
+      next_ = &frame.file->tokens[frame.end];
+      next_index_ = frame.end;
+      next_slot_ = nullptr;
+      settled_ = true;
+      return;
+    }
+    const Token& token = frame.file->tokens[frame.position];
+    if (token.is(Punctuation::hash) && !held_) {
+      const Nesting nesting(*this);
+      run_directive();
+      // Reading the directive may have shown the token behind it already.
+      if (settled_ && !pending_) return;
+      unsettle();
+      continue;
+    }
+    if (token.kind == TokenKind::identifier) {
+      if (settle_name(token)) return;
+      continue;
+    }
+    next_index_ = frame.position++;
+    next_ = &token;
+    next_slot_ = nullptr;
+    pending_ = token.is(Punctuation::hash);
+    settled_ = true;
+    return;
+  }
+}
+
+// False when the name was a macro's, which has been called.
+bool TokenStream::settle_name(const Token& name) {
+  const std::uint32_t index = frames_.back().position++;
+  const Scopes::Binding* binding = scopes_.find(name.symbol);
+  Scopes::Slot slot;
+  std::uint32_t scope = 0;
+  bool is_macro = false;
+  if (binding != nullptr) {
+    slot = binding->slot;
+    scope = binding->scope;
+    if (const auto* macro = std::get_if<std::shared_ptr<const Macro>>(slot.get())) {
+      is_macro = true;
+      if (!held_) {
+        call_macro(name, std::shared_ptr<const Macro>(*macro));
+        return false;
+      }
+    } else if (std::holds_alternative<std::shared_ptr<Array>>(*slot) && raw_next().is(Punctuation::left_bracket)) {
+      slot = pick_element(slot, name, false);
+    }
+  }
+  next_ = &name;
+  next_index_ = index;
+  next_slot_ = std::move(slot);
+  next_scope_ = scope;
+  pending_ = is_macro;
+  settled_ = true;
+  return true;
+}
+
+void TokenStream::unsettle() {
+  if (!settled_) return;
+  settled_ = false;
+  pending_ = false;
+  frames_.back().position = next_index_;
+}
+
+Token TokenStream::take() {
+  const Token token = peek();
+  if (next_slot_ != nullptr) {
+    if (const auto* absent = std::get_if<std::shared_ptr<const Unsupported>>(next_slot_.get())) {
+      const Unsupported& what = **absent;
+      const std::string name(token.text);
+      if (what.word.location.line == 0) fail(token.location, "'" + name + "' cannot be used: " + what.why, true);
+      SyntaxError error({diagnostic(token.location, Diagnostic::Severity::error, "'" + name + "' cannot be used: " + what.why),
+                         diagnostic(what.word.location, Diagnostic::Severity::note, "this is why")},
+                        true);
+      add_call_chain(error.diagnostics);
+      throw error;
+    }
+  }
+  settled_ = false;
+  pending_ = false;
+  ++taken_;
+  return token;
+}
+
+Token TokenStream::take_raw() {
+  Frame& frame = frames_.back();
+  const Token& token = frame.file->tokens[frame.position];
+  if (frame.position < frame.end) ++frame.position;
+  return token;
+}
+
+void TokenStream::expect(Punctuation mark, std::string_view behind) {
+  if (!peek().is(mark)) {
+    fail(peek().location, "expected '" + std::string(spelling(mark)) + "' " + std::string(behind) + ", found " + describe_next());
+  }
+  take();
+}
+
+// --- frames ---------------------------------------------------------------------------------------------------------
+
+void TokenStream::enter_frame(Frame frame) {
+  unsettle();
+  if (frames_.size() >= kDeepestFrame) {
+    fail(frame.call, "macros and included files are nested too deeply here (limit " + std::to_string(kDeepestFrame) + ")");
+  }
+  if (!frames_.empty()) scopes_.enter();
+  frames_.push_back(std::move(frame));
+}
+
+void TokenStream::leave_frame() {
+  frames_.pop_back();
+  scopes_.leave();
+}
+
+TokenStream::Checkpoint TokenStream::checkpoint() {
+  unsettle();
+  return {frames_.size(), frames_.back().position, blocks_.size(), scopes_.current()};
+}
+
+void TokenStream::return_to(const Checkpoint& place) {
+  settled_ = false;
+  pending_ = false;
+  while (frames_.size() > place.frames) leave_frame();
+  frames_.back().position = place.position;
+  blocks_.resize(place.blocks);
+}
+
+// --- blocks ---------------------------------------------------------------------------------------------------------
+
+void TokenStream::open_block(const Token& owner) {
+  if (!peek().is(Punctuation::left_brace)) {
+    fail(peek().location, "expected '{' after '" + std::string(owner.text) + "', found " + describe_next());
+  }
+  if (blocks_.size() >= kDeepestBlock) {
+    fail(owner.location, "blocks are nested too deeply here (limit " + std::to_string(kDeepestBlock) + ")");
+  }
+  take();
+  blocks_.push_back(owner);
+}
+
+void TokenStream::close_block() {
+  const Token owner = blocks_.back();
+  const std::string name(owner.text);
+  if (!peek().is(Punctuation::right_brace)) {
+    fail(peek().location, "expected '}' to close '" + name + "', found " + describe_next(), owner.location,
+         "'" + name + "' opened here");
+  }
+  take();
+  blocks_.pop_back();
+}
+
+// --- messages -------------------------------------------------------------------------------------------------------
+
+std::string TokenStream::describe_next() {
+  const Token& token = peek();
+  if (token.kind != TokenKind::identifier) return describe(token);
+  if (next_slot_ == nullptr) return "undeclared identifier '" + std::string(token.text) + "'";
+  return std::string(kind_name(*next_slot_)) + " '" + std::string(token.text) + "'";
+}
+
+Diagnostic TokenStream::diagnostic(const Location& at, Diagnostic::Severity severity, std::string message) const {
+  return diagnostic_at(files_.file(at.file), at, severity, std::move(message));
+}
+
+void TokenStream::fail(const Location& at, std::string message, bool unsupported) {
+  SyntaxError error({diagnostic(at, Diagnostic::Severity::error, std::move(message))}, unsupported);
+  add_call_chain(error.diagnostics);
+  throw error;
+}
+
+void TokenStream::fail(const Location& at, std::string message, const Location& note_at, std::string note) {
+  SyntaxError error({diagnostic(at, Diagnostic::Severity::error, std::move(message)),
+                     diagnostic(note_at, Diagnostic::Severity::note, std::move(note))});
+  add_call_chain(error.diagnostics);
+  throw error;
+}
+
+void TokenStream::add_call_chain(render::Diagnostics& messages) const {
+  std::size_t told = 0;
+  for (std::size_t i = frames_.size(); i-- > 1 && told < kLongestCallChain; ++told) {
+    const Frame& frame = frames_[i];
+    messages.push_back(diagnostic(frame.call, Diagnostic::Severity::note,
+                                  frame.macro ? "in macro '" + std::string(frame.macro->name) + "', called from here"
+                                              : "in '" + frame.file->source->name + "', included from here"));
+  }
+}
+
+void TokenStream::report(const Location& at, std::string message, Diagnostic::Severity severity) {
+  if (diagnostics_.size() > kMostDiagnostics) return;
+  if (diagnostics_.size() == kMostDiagnostics) message = "further messages are left out";
+  diagnostics_.push_back(diagnostic(at, severity, std::move(message)));
+  if (options_.report) options_.report(diagnostics_.back());
+}
+
+}  // namespace firstlight::parser

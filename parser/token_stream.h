@@ -1,0 +1,156 @@
+#pragma once
+
+#include "parser/lexer.h"
+#include "parser/scope.h"
+#include "parser/source.h"
+#include "parser/syntax_error.h"
+#include "render/scene/front_end.h"
+
+#include <cstdint>
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace firstlight::parser {
+
+/// The scene as one stream of significant tokens, over a stack of token ranges: the scene's file, included files, macro
+/// bodies. What to do at a directive or at a macro's name is the Interpreter's part.
+///
+/// Order    A directive is obeyed, and a macro called, when peek() comes to it: not before, and once.
+/// Limits   Depths are bounded (the constants below), so that no scene can exhaust the stack.
+class TokenStream {
+ public:
+  static constexpr std::size_t kDeepestBlock = 200;       // of braces; POV-Ray has the same limit
+  static constexpr std::size_t kDeepestExpression = 250;  // of parentheses, arguments, values being declared, directives
+  static constexpr std::size_t kDeepestFrame = 1000;      // of macros and included files
+
+  TokenStream(const render::LoadOptions& options, render::Diagnostics& diagnostics)
+      : options_(options), diagnostics_(diagnostics) {}
+  TokenStream(const TokenStream&) = delete;
+  TokenStream& operator=(const TokenStream&) = delete;
+
+  // --- tokens -------------------------------------------------------------------------------------------------------
+  const Token& peek() {
+    if (!settled_ || (pending_ && held_ == 0)) settle();
+    return *next_;
+  }
+  Token take();
+  /// What the name that peek() gives is declared as, or the array's element it picks; null for any other token.
+  const Value* peek_value() { return peek().kind == TokenKind::identifier ? next_slot_.get() : nullptr; }
+  /// The place of that value and the scope of the name. Pre: peek_value().
+  Scopes::Binding peek_binding() const { return {next_scope_, next_slot_}; }
+  /// Tokens taken so far; tells whether an expression was a single name.
+  std::uint64_t taken() const { return taken_; }
+  void expect(Punctuation mark, std::string_view behind);
+
+  /// While one lives, peek() stops at a directive or macro instead of obeying it: POV-Ray reads the token behind a
+  /// declared value so, for the declaration must be complete before the next directive is obeyed.
+  class Hold {
+   public:
+    explicit Hold(TokenStream& stream) : stream_(stream), before_(stream.held_) { stream.held_ = true; }
+    ~Hold() { stream_.held_ = before_; }
+    Hold(const Hold&) = delete;
+    Hold& operator=(const Hold&) = delete;
+
+   private:
+    TokenStream& stream_;
+    bool before_;
+  };
+  /// The opposite: where an operand is due, directives and macros may always give it.
+  class Release {
+   public:
+    explicit Release(TokenStream& stream) : stream_(stream), before_(stream.held_) { stream.held_ = false; }
+    ~Release() { stream_.held_ = before_; }
+    Release(const Release&) = delete;
+    Release& operator=(const Release&) = delete;
+
+   private:
+    TokenStream& stream_;
+    bool before_;
+  };
+  /// One level of expressions; fails beyond kDeepestExpression.
+  class Nesting {
+   public:
+    explicit Nesting(TokenStream& stream);
+    ~Nesting() { --stream_.nesting_; }
+    Nesting(const Nesting&) = delete;
+    Nesting& operator=(const Nesting&) = delete;
+
+   private:
+    TokenStream& stream_;
+  };
+
+  // --- blocks -------------------------------------------------------------------------------------------------------
+  void open_block(const Token& owner);
+  void close_block();
+
+  // --- messages -----------------------------------------------------------------------------------------------------
+  [[noreturn]] void fail(const Location& at, std::string message, bool unsupported = false);
+  [[noreturn]] void fail(const Location& at, std::string message, const Location& note_at, std::string note);
+  void warn(const Location& at, std::string message) { report(at, std::move(message), render::Diagnostic::Severity::warning); }
+  void report(const Location& at, std::string message, render::Diagnostic::Severity severity);
+  /// For messages: the token, and why it has no meaning if it is an undeclared name.
+  std::string describe_next();
+
+ protected:
+  ~TokenStream() = default;
+
+  /// A token range that is being read. `macro` is null for a file.
+  struct Frame {
+    const TokenFile* file = nullptr;
+    std::uint32_t position = 0;
+    std::uint32_t end = 0;
+    std::shared_ptr<const Macro> macro;
+    Location call;  ///< of the macro's name, or of the #include
+  };
+  /// A place to return to when a value turns out to be none that can be rendered.
+  struct Checkpoint {
+    std::size_t frames = 0;
+    std::uint32_t position = 0;
+    std::size_t blocks = 0;
+    std::uint32_t scope = 0;
+  };
+
+  /// At `#`: obey the directive. The frame's position is at the `#`.
+  virtual void run_directive() = 0;
+  /// At a macro's name, which has been passed.
+  virtual void call_macro(const Token& name, const std::shared_ptr<const Macro>& macro) = 0;
+  /// The slot of the element that the subscripts behind `name` pick.
+  virtual Scopes::Slot pick_element(const Scopes::Slot& array, const Token& name, bool may_be_empty) = 0;
+
+  Token take_raw();
+  const Token& raw_next() const { return frames_.back().file->tokens[frames_.back().position]; }
+  /// Gives up the token that peek() has shown, if any, so that reading goes on before it.
+  void unsettle();
+  void enter_frame(Frame frame);
+  void leave_frame();
+  Checkpoint checkpoint();
+  void return_to(const Checkpoint& place);
+  render::Diagnostic diagnostic(const Location& at, render::Diagnostic::Severity severity, std::string message) const;
+
+  const render::LoadOptions& options_;
+  render::Diagnostics& diagnostics_;
+  SourceFiles files_;
+  Symbols symbols_;
+  Scopes scopes_;
+  std::vector<Frame> frames_;
+  std::vector<Token> blocks_;  // owners of the open braces
+
+ private:
+  void settle();
+  bool settle_name(const Token& name);
+  void add_call_chain(render::Diagnostics& messages) const;
+
+  // The token that peek() gives. `pending_`: it is a `#` or a macro's name, shown because of a Hold.
+  const Token* next_ = nullptr;
+  std::uint32_t next_index_ = 0;
+  Scopes::Slot next_slot_;
+  std::uint32_t next_scope_ = 0;
+  bool settled_ = false;
+  bool pending_ = false;
+  bool held_ = false;
+  std::size_t nesting_ = 0;
+  std::uint64_t taken_ = 0;
+};
+
+}  // namespace firstlight::parser
