@@ -72,7 +72,7 @@ class Box final : public Shape {
  public:
   Box(const AxisBox& box, bool inverted) : box_(box), inverted_(inverted) {}
 
-  void meet(const Ray& ray, Met& met) const { box_.meet(ray, met); }
+  const AxisBox& axis_box() const { return box_; }
 
   void crossings(const Ray& ray, std::vector<Crossing>& out) const override;
   bool inside(const Vec3& point) const override { return box_.inside(point, inverted_); }
