@@ -18,9 +18,9 @@ Members parse_members(Reader& reader, SceneContext& context, const Token& word) 
     const Token at = reader.peek();
     auto member = parse_object(reader, context);
     if (!member) break;
-    if (member->textured) reader.fail(at, "an object in '" + std::string(word.text) + "' cannot have a texture");
+    if (member->textured) reader.fail(at, "an object in " + quoted(word) + " cannot have a texture");
     if (member->patch) {
-      reader.fail(at, "an object in '" + std::string(word.text) + "' must have an inside");
+      reader.fail(at, "an object in " + quoted(word) + " must have an inside");
     }
     members.push_back(std::move(*member));
   }
@@ -47,7 +47,8 @@ void append(Reader& reader, const Token& word, Object& object, std::shared_ptr<c
 
 void parse_bounded_by(Reader& reader, SceneContext& context, const Token& word, Object& object) {
   reader.open_block(word);
-  if (object.bounds_are_clips) reader.fail(word, "bounds cannot be added after 'bounded_by' and 'clipped_by' were made one");
+  if (object.bounds_are_clips)
+    reader.fail(word, "bounds cannot be added after 'bounded_by' and 'clipped_by' were made one");
   if (reader.next_is(Keyword::clipped_by)) {
     const Token at = reader.take();
     if (object.bounded_by) reader.fail(at, "'clipped_by' cannot replace bounds that are there already");
@@ -61,7 +62,8 @@ void parse_bounded_by(Reader& reader, SceneContext& context, const Token& word, 
 
 void parse_clipped_by(Reader& reader, SceneContext& context, const Token& word, Object& object) {
   reader.open_block(word);
-  if (object.bounds_are_clips) reader.fail(word, "clips cannot be added after 'bounded_by' and 'clipped_by' were made one");
+  if (object.bounds_are_clips)
+    reader.fail(word, "clips cannot be added after 'bounded_by' and 'clipped_by' were made one");
   if (reader.next_is(Keyword::bounded_by)) {
     const Token at = reader.take();
     if (object.clipped_by) reader.fail(at, "'bounded_by' cannot replace clips that are there already");

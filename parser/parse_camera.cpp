@@ -111,8 +111,8 @@ void refuse_other_cameras(Reader& reader) {
   }
 }
 
-/// From version 3.5 on the order of the words does not matter: lengths first, then the angle (which needs `right`), then
-/// where to look, then the transformations.
+/// From version 3.5 on the order of the words does not matter: lengths first, then the angle (which needs `right`),
+/// then where to look, then the transformations.
 void parse_unordered(Reader& reader, Draft& draft) {
   for (;;) {
     if (reader.accept(Keyword::perspective)) continue;
@@ -154,7 +154,8 @@ void parse_in_order(Reader& reader, Draft& draft) {
 void warn_if_skewed(Reader& reader, const Token& word, const Camera& camera) {
   const double skew = std::max({std::abs(camera.right.dot(camera.up)), std::abs(camera.right.dot(camera.direction)),
                                 std::abs(camera.up.dot(camera.direction))});
-  if (skew > kTinyLength) reader.warn(word, "the vectors of the camera are not at right angles; 'look_at' as the last word may help");
+  if (skew > kTinyLength)
+    reader.warn(word, "the vectors of the camera are not at right angles; 'look_at' as the last word may help");
 }
 
 }  // namespace

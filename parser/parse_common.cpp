@@ -2,13 +2,20 @@
 
 #include "parser/interpreter.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 
 namespace firstlight::parser {
 
-void fail_unsupported(Reader& reader, const Token& word) {
-  reader.fail(word, "'" + std::string(word.text) + "' is not supported by this version of Firstlight");
+std::string quoted(const Token& word) { return fmt::format("'{}'", word.text); }
+
+void fail_unsupported(Reader& reader, const Token& word) { fail_unsupported(reader, word, quoted(word)); }
+
+void fail_unsupported(Reader& reader, const Token& word, std::string what) {
+  reader.interpreter().fail(word.location, what + " is not supported by this version of Firstlight",
+                            /*unsupported=*/true);
 }
 
 int language_version(Reader& reader) { return reader.interpreter().language_version(); }
@@ -72,7 +79,7 @@ void skip_block(Reader& reader, const Token& owner) {
   reader.open_block(owner);
   for (int depth = 0; depth > 0 || !reader.next_is(Punctuation::right_brace);) {
     const Token next = reader.take();
-    if (next.is_end()) reader.fail(owner, "no '}' closes '" + std::string(owner.text) + "'");
+    if (next.is_end()) reader.fail(owner, "no '}' closes " + quoted(owner));
     if (next.is(Punctuation::left_brace)) ++depth;
     if (next.is(Punctuation::right_brace)) --depth;
   }

@@ -11,15 +11,21 @@ namespace firstlight::parser {
 /// Below this a length counts as nothing. [POV-Ray 3.7, EPSILON of its parser]
 constexpr double kTinyLength = 1e-10;
 
+/// The word between quotation marks.
+std::string quoted(const Token& word);
+
 /// "'blob' is not supported by this version of Firstlight", at the word.
 [[noreturn]] void fail_unsupported(Reader& reader, const Token& word);
+/// The same about `what`.
+[[noreturn]] void fail_unsupported(Reader& reader, const Token& word, std::string what);
 
 /// The version of the language in force where the reader stands, as 100 * version.
 int language_version(Reader& reader);
 /// The same, but a scene that never states its version counts as one written before 3.7.
 int effective_language_version(Reader& reader);
 
-/// Whether a colour may begin here: a colour word, or an identifier that can be used as one. A literal number or vector is none.
+/// Whether a colour may begin here: a colour word, or an identifier that can be used as one. A literal number or vector
+/// is none.
 bool at_color(Reader& reader);
 
 /// Fails at `at` unless `value` is finite; `what` names it in the message.

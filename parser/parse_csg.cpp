@@ -37,7 +37,7 @@ Object parse_csg(Reader& reader, SceneContext& context, const Token& word) {
     auto member = parse_object(reader, context);
     if (!member) break;
     if (member->patch && whole.kind == Object::Kind::intersection) {
-      reader.warn(at, "a surface without an inside does not work in '" + std::string(word.text) + "'");
+      reader.warn(at, "a surface without an inside does not work in " + quoted(word));
     }
     // a difference is what is in the first member and outside of all others
     if (word.is(Keyword::difference) && !members.empty()) member->inverted = !member->inverted;
@@ -47,8 +47,7 @@ Object parse_csg(Reader& reader, SceneContext& context, const Token& word) {
     members.push_back(std::move(*member));
   }
   if (members.size() < 2) {
-    reader.warn(word, "'" + std::string(word.text) + "' should have at least two objects, found " +
-                          (members.empty() ? "none" : "one"));
+    reader.warn(word, quoted(word) + " should have at least two objects, found " + (members.empty() ? "none" : "one"));
   }
   whole.children = std::make_shared<const std::vector<Object>>(std::move(members));
   parse_modifiers(reader, context, word, whole);

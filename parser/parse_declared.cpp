@@ -26,18 +26,6 @@ Value parse_textures(Reader& reader, SceneContext& context) {
   return texture;
 }
 
-/// Counts the declarations under way, whatever way they end.
-class Declaring {
- public:
-  explicit Declaring(SceneContext& context) : context_(context) { ++context_.declaring; }
-  ~Declaring() { --context_.declaring; }
-  Declaring(const Declaring&) = delete;
-  Declaring& operator=(const Declaring&) = delete;
-
- private:
-  SceneContext& context_;
-};
-
 /// One thing said in `#default`. False: the next word is none.
 bool accept_default(Reader& reader, SceneContext& context) {
   const Token word = reader.peek();
@@ -86,7 +74,6 @@ bool accept_default(Reader& reader, SceneContext& context) {
 std::optional<Value> parse_declarable(Reader& reader, SceneContext& context) {
   const Token word = reader.peek();
   if (word.kind != TokenKind::keyword) return std::nullopt;
-  const Declaring declaring(context);
   switch (word.keyword) {
     case Keyword::texture:
       return parse_textures(reader, context);

@@ -26,7 +26,7 @@ bool accept_idle(Reader& reader) {
   if (reader.accept(Keyword::jitter)) return true;
   if (reader.next_is(Keyword::circular) || reader.next_is(Keyword::orient)) {
     const Token word = reader.take();
-    reader.warn(word, "'" + std::string(word.text) + "' does nothing without 'area_light'");
+    reader.warn(word, quoted(word) + " does nothing without 'area_light'");
   } else if (reader.next_is(Keyword::area_illumination)) {
     const Token word = reader.take();
     reader.optional_number(1.0);
@@ -72,7 +72,7 @@ bool accept_item(Reader& reader, Object& object) {
     case Keyword::radius:
     case Keyword::falloff: {
       const Token word = reader.take();
-      reader.fail(word, "'" + std::string(word.text) + "' does not go with a light that shines in all directions");
+      reader.fail(word, quoted(word) + " does not go with a light that shines in all directions");
     }
     case Keyword::area_light:
     case Keyword::color_map:

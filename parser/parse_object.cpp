@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <string>
-#include <unordered_set>
 
 namespace firstlight::parser {
 
@@ -28,16 +27,6 @@ Object parse_shape(Reader& reader, SceneContext& context, ShapeReader read, bool
   return object;
 }
 
-Object parse_absent_shape(Reader& reader, SceneContext& context) {
-  const Token word = reader.take();
-  if (context.declaring == 0) fail_unsupported(reader, word);
-  skip_block(reader, word);
-  context.has_absent = true;
-  Object object;
-  object.shape = std::make_shared<AbsentShape>(word);
-  return object;
-}
-
 /// `object { any object, modifiers }`
 Object parse_wrapped(Reader& reader, SceneContext& context) {
   const Token word = reader.take();
@@ -46,19 +35,6 @@ Object parse_wrapped(Reader& reader, SceneContext& context) {
   if (!object) reader.fail_expected("an object");
   parse_modifiers(reader, context, word, *object);
   return std::move(*object);
-}
-
-using Visited = std::unordered_set<const void*>;
-
-void refuse_absent_in(Reader& reader, const Token& at, const Object& object, Visited& visited) {
-  if (const auto* absent = dynamic_cast<const AbsentShape*>(object.shape.get())) {
-    reader.fail(at, "'" + std::string(absent->word().text) +
-                        "' is not supported by this version of Firstlight; this object is made of it");
-  }
-  for (const auto& members : {object.children, object.clipped_by, object.bounded_by}) {
-    if (!members || !visited.insert(members.get()).second) continue;
-    for (const Object& member : *members) refuse_absent_in(reader, at, member, visited);
-  }
 }
 
 }  // namespace
@@ -83,13 +59,12 @@ std::optional<Object> parse_object(Reader& reader, SceneContext& context) {
 #define PATCH(word, function) \
   case Keyword::word:         \
     return parse_shape(reader, context, function, true);
-#define ABSENT_SHAPE(word) \
-  case Keyword::word:      \
-    return parse_absent_shape(reader, context);
+#define ABSENT_SHAPE(word) case Keyword::word:
 #include "parser/shapes.def"
 #undef ABSENT_SHAPE
 #undef PATCH
 #undef SHAPE
+    fail_unsupported(reader, reader.take());
     case Keyword::object:
       return parse_wrapped(reader, context);
     case Keyword::union_:
@@ -125,11 +100,6 @@ Object empty_object() {
   object.children = std::make_shared<const std::vector<Object>>();
   object.leaves = 0;
   return object;
-}
-
-void refuse_absent(Reader& reader, const Token& at, const Object& object) {
-  Visited visited;
-  refuse_absent_in(reader, at, object, visited);
 }
 
 }  // namespace firstlight::parser

@@ -36,7 +36,4 @@ void count_in(Reader& reader, const Token& at, render::Object& whole, const rend
 /// An object in which there is nothing.
 render::Object empty_object();
 
-/// Fails at `at` when something in `object` is a shape that cannot be rendered.
-void refuse_absent(Reader& reader, const Token& at, const render::Object& object);
-
 }  // namespace firstlight::parser

@@ -41,7 +41,7 @@ void parse_list(Reader& reader, SceneContext& context, render::ColorMap& map) {
     if (!reader.next_is(Keyword::pigment)) continue;
     const Token word = reader.take();
     const Pigment pigment = parse_default_pigment(reader, context, word);
-    if (pigment.pattern) reader.fail(word, "a patterned 'pigment' in a list is not supported by this version of Firstlight");
+    if (pigment.pattern) fail_unsupported(reader, word, "a patterned 'pigment' in a list");
     entry.color = pigment.color;
     reader.skip_comma();
   }
@@ -144,7 +144,8 @@ bool accept_modifier(Reader& reader, Draft& draft) {
   if (accept_wave(reader, draft.pigment.wave) || accept_idle(reader)) return true;
   if (reader.next_is(Keyword::color_map)) {
     const Token word = reader.take();
-    if (draft.solid || draft.pigment.stepped) reader.fail(word, "'color_map' does not go with a single colour or a list of colours");
+    if (draft.solid || draft.pigment.stepped)
+      reader.fail(word, "'color_map' does not go with a single colour or a list of colours");
     draft.pigment.map = parse_color_map(reader, word);
     return true;
   }
@@ -178,7 +179,8 @@ Pigment parse_pigment(Reader& reader, SceneContext& context, const Token& word, 
 }
 
 Pigment parse_default_pigment(Reader& reader, SceneContext& context, const Token& word) {
-  return parse_pigment(reader, context, word, context.default_texture->layers[0].pigment, context.default_pigment_given);
+  return parse_pigment(reader, context, word, context.default_texture->layers[0].pigment,
+                       context.default_pigment_given);
 }
 
 }  // namespace firstlight::parser

@@ -1,3 +1,4 @@
+#include "parser/interpreter.h"
 #include "parser/parse_camera.h"
 #include "parser/parse_common.h"
 #include "parser/parse_object.h"
@@ -26,7 +27,6 @@ void parse_top_object(Reader& reader, SceneContext& context) {
   const Token at = reader.peek();
   auto object = parse_object(reader, context);
   if (!object) reader.fail_expected("an object or a directive");
-  if (context.has_absent) refuse_absent(reader, at, *object);
   context.leaves += object->leaves;
   if (context.leaves > kMaxLeaves) {
     reader.fail(at, "the scene has more than " + std::to_string(kMaxLeaves) + " shapes");
@@ -54,6 +54,10 @@ void parse_statement(Reader& reader, SceneContext& context) {
     }
     case Keyword::max_intersections:
       return parse_max_intersections(reader, reader.take());
+    case Keyword::declare:
+    case Keyword::include:
+    case Keyword::version:
+      return reader.interpreter().run_bare_directive();
     case Keyword::fog:
     case Keyword::media:
     case Keyword::rainbow:

@@ -3,6 +3,8 @@
 #include "parser/interpreter.h"
 #include "parser/parse_common.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <string>
 
@@ -14,14 +16,18 @@ constexpr int kMaxTraceLevel = 256;  ///< POV-Ray's own limit
 
 /// `srgb`, or the exponent of a power law.
 void parse_assumed_gamma(Reader& reader, const Token& word) {
-  if (reader.accept(Keyword::srgb)) {
-    reader.interpreter().set_assumed_gamma_srgb(word);
-    return;
+  render::WorkingGamma gamma = render::WorkingGamma::srgb;
+  double exponent = 1.0;
+  if (!reader.accept(Keyword::srgb)) {
+    const Token at = reader.peek();
+    exponent = finite_number(reader, "assumed_gamma");
+    if (exponent <= 0.0) reader.fail(at, "'assumed_gamma' must be above 0");
+    if (exponent < 1.0) reader.warn(at, fmt::format("'assumed_gamma' is {}; was {} meant?", exponent, 1.0 / exponent));
+    gamma = exponent == 1.0 ? render::WorkingGamma::linear : render::WorkingGamma::power;
   }
-  const Token at = reader.peek();
-  const double gamma = finite_number(reader, "assumed_gamma");
-  if (gamma <= 0.0) reader.fail(at, "'assumed_gamma' must be above 0");
-  reader.interpreter().set_assumed_gamma(word, gamma);
+  if (!reader.interpreter().set_assumed_gamma(gamma, exponent)) {
+    reader.warn(word, "'assumed_gamma' was given before; this one is ignored");
+  }
 }
 
 void parse_charset(Reader& reader) {
@@ -34,7 +40,8 @@ void parse_charset(Reader& reader) {
 bool accept_idle(Reader& reader) {
   if (reader.next_is(Keyword::number_of_waves)) {
     const Token word = reader.take();
-    if (integer(reader, "number_of_waves") <= 0) reader.warn(word, "'number_of_waves' must be above 0; it is taken as 1");
+    if (integer(reader, "number_of_waves") <= 0)
+      reader.warn(word, "'number_of_waves' must be above 0; it is taken as 1");
   } else if (reader.accept(Keyword::noise_generator)) {
     const Token at = reader.peek();
     const int generator = integer(reader, "noise_generator");
@@ -106,7 +113,8 @@ void parse_background(Reader& reader, SceneContext& context, const Token& word) 
 void parse_max_trace_level(Reader& reader, SceneContext& context, const Token& word) {
   const int level = integer(reader, "max_trace_level");
   if (level > kMaxTraceLevel) {
-    reader.warn(word, "'max_trace_level' is " + std::to_string(level) + "; it is taken as " + std::to_string(kMaxTraceLevel));
+    reader.warn(word,
+                "'max_trace_level' is " + std::to_string(level) + "; it is taken as " + std::to_string(kMaxTraceLevel));
   }
   context.builder.settings().max_trace_level = std::clamp(level, 1, kMaxTraceLevel);
 }

@@ -16,12 +16,12 @@ bool accept_open(Reader& reader) { return reader.accept(Keyword::open); }
 
 void require_length(Reader& reader, const Token& word, const Vec3& a, const Vec3& b) {
   if ((a - b).length() < kTinyLength) {
-    reader.fail(word, "'" + std::string(word.text) + "' has no length: its two ends are the same point");
+    reader.fail(word, quoted(word) + " has no length: its two ends are the same point");
   }
 }
 
 ShapePtr degenerate(Reader& reader, const Token& word) {
-  reader.warn(word, "'" + std::string(word.text) + "' is degenerate and is left out");
+  reader.warn(word, quoted(word) + " is degenerate and is left out");
   return nullptr;
 }
 
@@ -111,8 +111,7 @@ ShapePtr parse_smooth_triangle(Reader& reader, const Token& word) {
   for (const Vec3& normal : normals) {
     if (normal.length() == 0.0) return degenerate(reader, word);
   }
-  ShapePtr shape =
-      render::make_smooth_triangle(corners[0], normals[0], corners[1], normals[1], corners[2], normals[2]);
+  ShapePtr shape = render::make_smooth_triangle(corners[0], normals[0], corners[1], normals[1], corners[2], normals[2]);
   return shape ? shape : degenerate(reader, word);
 }
 

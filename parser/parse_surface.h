@@ -10,8 +10,8 @@
 
 namespace firstlight::parser {
 
-// Blocks that describe surfaces and matter. Each is called with its word taken and its `{` next, and leaves the reader behind
-// the `}`. `start` is what the block alters, unless it begins with a declared one of its kind.
+// Blocks that describe surfaces and matter. Each is called with its word taken and its `{` next, and leaves the reader
+// behind the `}`. `start` is what the block alters, unless it begins with a declared one of its kind.
 
 /// `start_typed`: the start has got a colour or pattern from the scene text.
 render::Pigment parse_pigment(Reader& reader, SceneContext& context, const Token& word, render::Pigment start,

@@ -22,7 +22,10 @@ class Draft {
 
   const TextureLayer& top() const { return texture_->layers.front(); }
   TextureLayer& change_top() { return change().layers.front(); }
-  void move(const Transform& transform) { texture_ = moved(texture_, transform); own_ = nullptr; }
+  void move(const Transform& transform) {
+    texture_ = moved(texture_, transform);
+    own_ = nullptr;
+  }
   TexturePtr finished() { return texture_; }
 
  private:
@@ -34,7 +37,8 @@ class Draft {
   std::shared_ptr<Texture> own_;
 };
 
-/// If the next word is `pigment` or `finish`: takes its block, which alters the top layer. `typed`: see parse_pigment().
+/// If the next word is `pigment` or `finish`: takes its block, which alters the top layer. `typed`: see
+/// parse_pigment().
 bool accept_part(Reader& reader, SceneContext& context, Draft& draft, bool typed) {
   if (reader.next_is(Keyword::pigment)) {
     const Token word = reader.take();
@@ -65,8 +69,7 @@ void refuse_patterned(Reader& reader) {
 #undef PATTERN
     {
       const Token word = reader.take();
-      reader.fail(word, "a texture made of textures by '" + std::string(word.text) +
-                            "' is not supported by this version of Firstlight");
+      fail_unsupported(reader, word, "a texture made of textures by " + quoted(word));
     }
     default:
       return;

@@ -21,9 +21,7 @@ struct SceneContext {
       std::make_shared<const render::Texture>(render::Texture{std::vector<render::TextureLayer>(1)});
   bool default_pigment_given = false;  ///< a `#default` has set the pigment
   render::Camera default_camera;
-  render::Camera camera;  ///< the scene's so far; before version 3.5 a further camera statement goes on from it
-  int declaring = 0;         ///< above 0 while a value is read that may never be used
-  bool has_absent = false;   ///< a shape that cannot be rendered has been declared
+  render::Camera camera;     ///< the scene's so far; before version 3.5 a further camera statement goes on from it
   std::uint64_t leaves = 0;  ///< shapes and lights in the scene so far
 };
 
@@ -32,14 +30,15 @@ struct SceneContext {
 
 /// Whole scene: every statement up to the end of the text. [parse_scene.cpp]
 void parse_scene(Reader& reader, SceneContext& context);
-/// One value to be declared, as after `#declare Name =`, an array element or a macro argument: object, texture, pigment, finish,
-/// interior, material, color_map, camera, light_source, transform. Empty when the next token begins none of these, nothing taken then;
-/// numbers and strings are the caller's. [parse_declared.cpp]
+/// One value to be declared, as after `#declare Name =`, an array element or a macro argument: object, texture,
+/// pigment, finish, interior, material, color_map, camera, light_source, transform. Empty when the next token begins
+/// none of these, nothing taken then; numbers and strings are the caller's. [parse_declared.cpp]
 std::optional<Value> parse_declarable(Reader& reader, SceneContext& context);
 /// `#default { texture | pigment | finish | camera }`; also for the old `default {` [parse_declared.cpp]
 void parse_default(Reader& reader, SceneContext& context);
 
-/// Object expression of any kind (sphere, union, object { Name }, a declared object ...); empty when the next token begins none. [parse_object.cpp]
+/// Object expression of any kind (sphere, union, object { Name }, a declared object ...); empty when the next token
+/// begins none. [parse_object.cpp]
 std::optional<render::Object> parse_object(Reader& reader, SceneContext& context);
 
 }  // namespace firstlight::parser
