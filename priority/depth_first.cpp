@@ -3,7 +3,8 @@
 namespace firstlight::priority {
 namespace {
 
-// The ray on top of the stack, or all feelers there: siblings, whose order makes no difference and which have no children.
+// The ray on top of the stack, or all feelers there: siblings, whose order makes no difference and which have no
+// children.
 std::size_t size_of_top(std::span<const render::RayTask> stack) {
   std::size_t count = 1;
   if (stack.back().kind != render::RayKind::shadow) return count;

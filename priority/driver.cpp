@@ -36,8 +36,8 @@ void work(Frame& frame, Shared* shared, const TraceOptions& options, render::Ray
     if (shared == nullptr) {
       trace_recursively(frame, stepper);
     } else {
-      const auto worker = std::make_unique<Worker>(frame, stepper, shared->pool, shared->queue, *options.scheme,
-                                                   options.queue_budget);
+      const auto worker =
+          std::make_unique<Worker>(frame, stepper, shared->pool, shared->queue, *options.scheme, options.queue_budget);
       worker->run();
     }
     counts = stepper.counts();

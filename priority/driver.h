@@ -27,8 +27,8 @@ struct TraceOptions {
 
 struct TraceStatistics {
   render::RayCounts rays;
-  std::uint64_t peak_rays = 0;         ///< waiting at the same time; 0 without a queue
-  std::size_t peak_bytes = 0;          ///< of the blocks that held them
+  std::uint64_t peak_rays = 0;  ///< waiting at the same time; 0 without a queue
+  std::size_t peak_bytes = 0;   ///< of the blocks that held them
   std::size_t bytes_per_ray = sizeof(render::RayTask);
   std::uint64_t worst_case_rays = 0;
   double seconds = 0.0;
@@ -44,7 +44,8 @@ struct TraceResult {
 
 /// Renders the whole picture into `film`, whose sums do not depend on scheme, threads or budget.
 ///
-/// Order    primary rays first, tile by tile and never queued; then always the waiting rays of the highest key, to within
+/// Order    primary rays first, tile by tile and never queued; then always the waiting rays of the highest key, to
+/// within
 ///          one block a worker.
 /// Threads  `options.threads` workers; the calling thread only watches.
 TraceResult trace(const render::TraceContext& context, render::Film& film, const TraceOptions& options);

@@ -1,0 +1,63 @@
+#include "app/options.h"
+#include "app/render_command.h"
+#include "app/version.h"
+
+#include <fmt/format.h>
+
+#include <atomic>
+#include <chrono>
+#include <csignal>
+#include <cstdio>
+#include <exception>
+#include <new>
+#include <string>
+#include <vector>
+
+namespace {
+
+std::atomic<bool> g_stop = false;
+static_assert(std::atomic<bool>::is_always_lock_free, "a signal handler sets it");
+
+// The second Ctrl-C finds the system's own handler and ends the program at once.
+void ask_to_stop(int) { g_stop.store(true); }
+
+void watch_signal(int signal) {
+  struct sigaction action {};
+  action.sa_handler = ask_to_stop;
+  action.sa_flags = SA_RESETHAND;
+  sigaction(signal, &action, nullptr);
+}
+
+int run(std::vector<std::string> arguments, std::chrono::steady_clock::time_point start) {
+  using firstlight::app::CommandLine;
+  const CommandLine line = firstlight::app::parse_command_line(arguments);
+  switch (line.wish) {
+    case CommandLine::Wish::help:
+      fmt::print("{}", firstlight::app::help_text());
+      return 0;
+    case CommandLine::Wish::version:
+      fmt::print("firstlight {}\n", firstlight::app::kVersion);
+      return 0;
+    case CommandLine::Wish::render:
+      break;
+  }
+  for (const std::string& error : line.errors) fmt::print(stderr, "firstlight: error: {}\n", error);
+  if (!line.errors.empty()) return firstlight::app::kExitFailure;
+  watch_signal(SIGINT);
+  watch_signal(SIGTERM);
+  return firstlight::app::render_command(line.options, start, g_stop);
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  const auto start = std::chrono::steady_clock::now();
+  try {
+    return run({argv + 1, argv + argc}, start);
+  } catch (const std::bad_alloc&) {
+    std::fputs("firstlight: error: not enough memory\n", stderr);
+  } catch (const std::exception& exception) {
+    fmt::print(stderr, "firstlight: error: {}\n", exception.what());
+  }
+  return firstlight::app::kExitFailure;
+}

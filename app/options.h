@@ -1,0 +1,56 @@
+#pragma once
+
+#include <span>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+namespace firstlight::app {
+
+/// What the user asked for. Defaults are POV-Ray's own without an .ini file.
+struct Options {
+  std::string scene;
+  std::string output;  ///< as given with +O; empty: the scene's name in the current folder
+  int width = 320;     ///< pixels
+  int height = 240;
+  int threads = 0;  ///< 0: one for each processor
+  bool write_picture = true;
+  char file_type = 'N';  ///< POV-Ray's letter, upper case
+  int bits = 0;          ///< per channel; 0: the usual number of the file type
+  std::vector<std::string> library_paths;
+  std::vector<std::pair<std::string, std::string>> declares;  ///< name, number
+  double clock = 0.0;
+
+  std::string scheme = "contribution";
+  std::string stats_file;        ///< empty: none
+  std::string snapshots_folder;  ///< empty: none
+  std::string front_end;         ///< loadable module that reads the scene; empty: our own
+  bool quiet = false;
+};
+
+struct CommandLine {
+  enum class Wish { render, help, version };
+
+  Wish wish = Wish::render;
+  Options options;
+  std::vector<std::string> warnings;
+  std::vector<std::string> errors;  ///< when not empty, nothing else counts
+};
+
+/// Reads the arguments after the program's name: POV-Ray's switches in any order, and our own long options.
+CommandLine parse_command_line(std::span<const std::string> arguments);
+
+std::string help_text();
+
+/// The member of `known` that is fewest edits away from `word`, empty when none is near.
+std::string nearest(const std::string& word, const std::vector<std::string>& known);
+
+/// Extension, with its dot, of the files of a type given by POV-Ray's letter; empty when there is no such type.
+std::string_view extension_of(char file_type);
+
+/// The file that the picture is written to. As POV-Ray names it: the type's extension is appended unless it is there
+/// already, and an output name that ends in a slash is a folder.
+std::string picture_path(const Options& options);
+
+}  // namespace firstlight::app

@@ -1,0 +1,31 @@
+#pragma once
+
+#include "priority/driver.h"
+
+#include <optional>
+#include <string>
+
+namespace firstlight::app {
+
+/// What --stats writes.
+/// Units  Times in seconds; first_image and total from the start of the process.
+struct Stats {
+  std::string scene;
+  std::string scheme;
+  int threads = 0;
+  int width = 0;
+  int height = 0;
+  double parse = 0.0;
+  double build = 0.0;
+  std::optional<double> first_image;
+  double trace = 0.0;
+  double total = 0.0;
+  priority::TraceStatistics rays;
+};
+
+std::string to_json(const Stats& stats);
+
+/// Writes `text` beside `path` and renames it, so the file is never half written. Empty, or why it failed.
+std::string write_text_file(const std::string& path, const std::string& text);
+
+}  // namespace firstlight::app
