@@ -28,7 +28,7 @@ Leaves::Leaves(const Scene& scene) {
     head.solid = static_cast<std::uint32_t>(i);
     head.hidden_from = solid.hidden_from;
     head.opaque = any_opaque(solid, scene.parts);
-    ChildRef ref;
+    ChildRef ref{0};
     const bool plain = solid.kind == Solid::Kind::shape && solid.clips.empty() && solid.bounds.empty();
     if (plain) {
       head.shape = solid.shape.get();

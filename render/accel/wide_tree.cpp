@@ -85,7 +85,7 @@ class Flattener {
     FloatBox all{{kInfinity, kInfinity, kInfinity}, {-kInfinity, -kInfinity, -kInfinity}};
     for (unsigned slot = 0; slot < kTreeWidth; ++slot) {
       FloatBox box{{kInfinity, kInfinity, kInfinity}, {-kInfinity, -kInfinity, -kInfinity}};
-      ChildRef ref;
+      ChildRef ref{0};
       if (slot < from.child_count) {
         const BuildNode& child = *from.children[slot];
         if (child.child_count == 0) {

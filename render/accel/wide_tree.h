@@ -13,7 +13,7 @@ namespace firstlight::render {
 enum class ChildKind : std::uint32_t { node = 0, sphere = 1, box = 2, solid = 3 };
 
 struct ChildRef {
-  std::uint32_t bits = 0;
+  std::uint32_t bits;
 
   static ChildRef of(ChildKind kind, std::uint32_t index) {
     return {static_cast<std::uint32_t>(kind) << 30 | index};
