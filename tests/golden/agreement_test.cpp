@@ -14,9 +14,6 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// What share of the pixels must agree.
-constexpr double kShare = 0.98;
-
 class Golden : public testing::TestWithParam<GoldenScene> {};
 
 /// The end of what a program printed, where its error is.
@@ -56,7 +53,7 @@ TEST_P(Golden, AgreesWithPovRay) {
   ASSERT_EQ(our_picture->height, povray_picture->height);
 
   const Comparison found = compare(*our_picture, *povray_picture);
-  const bool agrees = scene.psnr ? found.psnr >= *scene.psnr : found.share >= kShare;
+  const bool agrees = scene.psnr ? found.psnr >= *scene.psnr : 100 * found.share >= scene.share;
   std::cout << scene.name << ": " << found.summary() << '\n';
   if (!agrees) {
     const fs::path folder = keep(scene.name, *our_picture, *povray_picture, found.summary());

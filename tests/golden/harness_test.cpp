@@ -97,7 +97,10 @@ TEST(SceneList, ReadsTheErrorsThatASceneExpects) {
 
 TEST(SceneList, HoldsTheScenesOfEveryFolder) {
   std::set<std::string> names;
-  for (const GoldenScene& scene : golden_scenes()) EXPECT_TRUE(names.insert(scene.name).second) << scene.name;
+  for (const GoldenScene& scene : golden_scenes()) {
+    EXPECT_TRUE(names.insert(scene.name).second) << scene.name;
+    EXPECT_GE(scene.share, 98) << scene.name;
+  }
   for (const char* name : {"shapes_sphere", "full_mirror_room", "povray_examples_language_macros_macro1"}) {
     EXPECT_TRUE(names.contains(name)) << name;
   }

@@ -36,13 +36,22 @@ std::optional<Number> take_number(std::string_view& text) {
   return value;
 }
 
-std::optional<double> psnr_wanted(const fs::path& file) {
-  constexpr std::string_view kMark = "// compare: psnr";
-  const std::string content = content_of(file);
-  const std::size_t at = content.find(kMark);
+/// The number that follows `mark` in the scene.
+std::optional<double> number_after(const std::string& content, std::string_view mark) {
+  const std::size_t at = content.find(mark);
   if (at == std::string::npos) return std::nullopt;
-  std::string_view rest = std::string_view(content).substr(at + kMark.size());
+  std::string_view rest = std::string_view(content).substr(at + mark.size());
   return take_number<double>(rest);
+}
+
+GoldenScene golden_scene(const std::string& name, const fs::path& file) {
+  GoldenScene scene;
+  scene.name = test_name(name);
+  scene.file = file;
+  const std::string content = content_of(file);
+  scene.share = number_after(content, "// compare: share").value_or(scene.share);
+  scene.psnr = number_after(content, "// compare: psnr");
+  return scene;
 }
 
 std::vector<fs::path> scenes_below(const fs::path& folder) {
@@ -64,12 +73,11 @@ std::vector<GoldenScene> golden_scenes() {
   for (const fs::path& file : scenes_below(testscenes())) {
     const fs::path relative = fs::relative(file, testscenes());
     if (*relative.begin() == "errors") continue;
-    scenes.push_back({test_name(fs::path(relative).replace_extension().string()), file, psnr_wanted(file)});
+    scenes.push_back(golden_scene(fs::path(relative).replace_extension().string(), file));
   }
   for (const std::string_view example : kExamples) {
-    const fs::path relative(example);
-    scenes.push_back({test_name("povray_examples/" + fs::path(relative).replace_extension().string()),
-                      fs::path(kExamplesFolder) / relative, std::nullopt});
+    const std::string name = fs::path(example).replace_extension().string();
+    scenes.push_back(golden_scene("povray_examples/" + name, fs::path(kExamplesFolder) / example));
   }
   return scenes;
 }

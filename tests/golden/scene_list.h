@@ -10,6 +10,8 @@ namespace firstlight::golden {
 struct GoldenScene {
   std::string name;            ///< what the test is called: shapes_sphere
   std::filesystem::path file;  ///< absolute
+  /// How many of 100 pixels must agree; a scene whose parts are small asks for more: `// compare: share 99.9`.
+  double share = 98;
   /// Set by the comment `// compare: psnr 35` in a scene whose pixels depend on chance: the pictures are then compared
   /// by PSNR, in dB, and not pixel by pixel.
   std::optional<double> psnr;

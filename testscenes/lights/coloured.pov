@@ -1,0 +1,13 @@
+// Lights brighter than white, one that takes light away, and one moved by a transformation.
+#version 3.7;
+global_settings { assumed_gamma 1 }
+background { rgb <0.1, 0.15, 0.25> }
+camera { location <0, 2, -6> look_at <0, 0.3, 0> right x*4/3 angle 45 }
+plane { y, -1 pigment { checker rgb <0.9, 0.85, 0.7>, rgb <0.25, 0.3, 0.35> } }
+
+light_source { <-5, 5, -4>, rgb <1.6, 1.4, 1> }
+light_source { <4, 4, -5>, rgb <-0.2, -0.1, 0> }
+light_source { 0, color red 0.2 green 0.3 blue 0.8 translate <0, 0, -8> rotate 50*x }
+
+sphere { <-1.2, 0, 0>, 0.9 pigment { rgb 0.9 } finish { phong 0.6 } }
+box { <0.6, -1, -0.5>, <1.6, 0.4, 0.5> rotate 20*y pigment { rgb <0.8, 0.8, 0.7> } finish { specular 0.4 } }
