@@ -1,5 +1,6 @@
 #include "render/image/image_io.h"
 
+#include <OpenImageIO/filesystem.h>
 #include <OpenImageIO/imageio.h>
 #include <fmt/format.h>
 #include <unistd.h>
@@ -8,7 +9,9 @@
 #include <array>
 #include <atomic>
 #include <cctype>
+#include <cerrno>
 #include <cstddef>
+#include <cstdio>
 #include <exception>
 #include <filesystem>
 #include <memory>
@@ -58,24 +61,37 @@ fs::path temporary_beside(const fs::path& target) {
   return target.parent_path() / fmt::format(".firstlight-{}-{}.part", static_cast<long>(::getpid()), count++);
 }
 
-/// Writes `pixels` to `path` through OpenImageIO; the text of the failure, or empty.
-std::string write_pixels(const fs::path& path, const Format& format, const OIIO::ImageSpec& spec, OIIO::TypeDesc type,
-                         const void* pixels) {
-  std::unique_ptr<OIIO::ImageOutput> output = OIIO::ImageOutput::create(std::string(format.extension));
-  if (!output) return OIIO::geterror();
-  if (!output->open(path.string(), spec)) return output->geterror();
-  const bool written = output->write_image(type, pixels);
-  std::string error = output->geterror();
-  const bool closed = output->close();
-  if (error.empty()) error = output->geterror();
-  if (written && closed) return {};
-  return error.empty() ? "the file could not be completed" : error;
-}
-
-/// The part of OpenImageIO's message that says why: it may repeat the (temporary) file name or go on for lines.
+/// The part of OpenImageIO's message that says why; the rest goes on for lines.
 std::string first_line(std::string text) {
   text.erase(std::min(text.find('\n'), text.size()));
   return text.empty() ? "unknown error" : text;
+}
+
+/// The bytes of the picture file, made by OpenImageIO. They are made in memory, for OpenImageIO does not report a disk
+/// that is full. On failure `error` says why.
+std::vector<unsigned char> file_bytes(const Format& format, const OIIO::ImageSpec& spec, OIIO::TypeDesc type,
+                                      const void* pixels, std::string& error) {
+  const std::unique_ptr<OIIO::ImageOutput> output = OIIO::ImageOutput::create(std::string(format.extension));
+  if (!output) {
+    error = first_line(OIIO::geterror());
+    return {};
+  }
+  std::vector<unsigned char> bytes;
+  OIIO::Filesystem::IOVecOutput memory(bytes);
+  const std::string name = fmt::format("picture.{}", format.extension);  // its extension is looked at
+  const bool done = output->set_ioproxy(&memory) && output->open(name, spec) && output->write_image(type, pixels);
+  if (!output->close() || !done) error = first_line(output->geterror());
+  return bytes;
+}
+
+/// Writes a whole file; the system's reason when that fails, else empty. `is_new`: the file must not exist yet.
+std::string write_file(const fs::path& path, std::span<const unsigned char> bytes, bool is_new) {
+  std::FILE* const file = std::fopen(path.c_str(), is_new ? "wbx" : "wb");
+  if (file == nullptr) return std::generic_category().message(errno);
+  int failure = std::fwrite(bytes.data(), 1, bytes.size(), file) == bytes.size() ? 0 : errno;
+  if (std::fflush(file) != 0 && failure == 0) failure = errno;
+  if (std::fclose(file) != 0 && failure == 0) failure = errno;
+  return failure == 0 ? "" : std::generic_category().message(failure);
 }
 
 std::string write(const std::string& path, const Format& format, int width, int height, OIIO::TypeDesc type,
@@ -101,23 +117,23 @@ std::string write(const std::string& path, const Format& format, int width, int 
 
   // What exists and is no plain file, such as /dev/null, cannot be replaced by renaming.
   const bool in_place = fs::exists(status) && !fs::is_regular_file(status);
-  const fs::path written = in_place ? target : temporary_beside(target);
-  std::string error = write_pixels(written, format, spec, type, pixels);
-  if (!error.empty()) {
-    // The usual reason deserves plain words.
-    if (!in_place && !fs::exists(written, ignored) &&
-        ::access(written.parent_path().empty() ? "." : written.parent_path().c_str(), W_OK) != 0) {
-      error = "the folder cannot be written to";
-    }
-    if (!in_place) fs::remove(written, ignored);
-    return refusal(path, first_line(error));
+  std::string error;
+  const std::vector<unsigned char> bytes = file_bytes(format, spec, type, pixels, error);
+  if (!error.empty()) return refusal(path, error);
+  if (in_place) {
+    error = write_file(target, bytes, false);
+    return error.empty() ? "" : refusal(path, error);
   }
-  if (in_place) return {};
-  std::error_code failed;
-  fs::rename(written, target, failed);
-  if (!failed) return {};
-  fs::remove(written, ignored);
-  return refusal(path, failed.message());
+  const fs::path temporary = temporary_beside(target);
+  error = write_file(temporary, bytes, true);
+  if (error.empty()) {
+    std::error_code failed;
+    fs::rename(temporary, target, failed);
+    if (!failed) return {};
+    error = failed.message();
+  }
+  fs::remove(temporary, ignored);
+  return refusal(path, error);
 }
 
 /// Runs `action`; what the libraries below throw (out of memory, names the system refuses) becomes a message.
