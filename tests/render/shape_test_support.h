@@ -62,29 +62,56 @@ class RayRain {
   double near_;
 };
 
-/// What must hold for any closed solid: crossings lie in its box, inside changes at each of them, normals point out of
-/// it, the complement is met at the same depths with the normal turned around.
-inline void check_closed_solid(const ShapePtr& shape, unsigned seed, bool complement = false) {
+/// What must hold for any closed solid: crossings lie in its box, it is inside behind them and outside before, as its
+/// unit normal points; the complement is met at the same depths, with normal and inside turned around.
+inline void check_closed_solid(const ShapePtr& shape, unsigned seed) {
   RayRain rain(seed);
-  const ShapePtr other = shape->inverted();
+  const ShapePtr complement = shape->inverted();
   const Box3 box = padded(shape->bounds(), 1e-9);
-  int met_count = 0;
+  int count = 0;
   for (int i = 0; i < 4000; ++i) {
     const Ray ray = rain.next();
-    for (const Crossing& c : met(shape, ray)) {
-      ++met_count;
-      const Vec3 p = ray.at(c.depth);
+    const std::vector<Crossing> all = met(shape, ray);
+    const std::vector<Crossing> same = met(complement, ray);
+    ASSERT_EQ(all.size(), same.size());
+    for (std::size_t k = 0; k < all.size(); ++k) {
+      ++count;
+      ASSERT_EQ(all[k].depth, same[k].depth);
+      const Vec3 p = ray.at(all[k].depth);
+      const Vec3 n = shape->normal(p, all[k]);
       ASSERT_TRUE(box.intersects(p)) << p;
-      const Vec3 n = shape->normal(p, c);
       ASSERT_NEAR(n.length(), 1.0, 1e-12);
-      ASSERT_EQ(shape->inside(p - n * 1e-5), !complement || shape->inside(p + n * 1e-5) != true) << p;
-      if (std::abs(n.dot(ray.direction)) < 1e-2) continue;
-      const double step = n.dot(ray.direction) > 0.0 ? -1e-5 : 1e-5;
-      ASSERT_TRUE(shape->inside(ray.at(c.depth + step)) || complement) << p;
+      ASSERT_EQ(complement->normal(p, same[k]), -n);
+      for (const double side : {-1e-5, 1e-5}) {
+        ASSERT_EQ(shape->inside(p + n * side), side < 0.0) << p;
+        ASSERT_EQ(complement->inside(p + n * side), side > 0.0) << p;
+      }
     }
-    ASSERT_EQ(depths(shape, ray), depths(other, ray));
   }
-  ASSERT_GT(met_count, 200);
+  ASSERT_GT(count, 200);
+}
+
+/// Placing a shape is the same as taking the ray back.
+inline void check_placement(const ShapePtr& shape, const Transform& transform, unsigned seed) {
+  RayRain rain(seed);
+  const ShapePtr moved = shape->placed(transform);
+  for (int i = 0; i < 2000; ++i) {
+    const Ray ray = rain.next();
+    const Ray world{transform.point(ray.origin), transform.direction(ray.direction).normalized()};
+    const double stretch = transform.direction(ray.direction).length();
+    const std::vector<double> before = depths(shape, ray);
+    const std::vector<double> after = depths(moved, world);
+    ASSERT_EQ(before.size(), after.size());
+    for (std::size_t k = 0; k < before.size(); ++k) ASSERT_NEAR(before[k] * stretch, after[k], 1e-6);
+    const Vec3 p = rain.point(2.0);
+    ASSERT_EQ(shape->inside(p), moved->inside(transform.point(p)));
+  }
+}
+
+inline Transform uneven_placement() {
+  return Transform::scaling(Vec3(1.5, 0.7, 2.0))
+      .then(Transform::rotation(Vec3(20, 130, 250)))
+      .then(Transform::translation(Vec3(0.5, -1, 2)));
 }
 
 }  // namespace firstlight::render
