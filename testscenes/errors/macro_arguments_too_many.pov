@@ -1,0 +1,5 @@
+// A macro that is called with too many values.
+// expect error 5:10: found
+camera { location <0, 2, -6> look_at 0 }
+#macro Ball(P, R) sphere { P, R } #end
+Ball(0, 1, 2)

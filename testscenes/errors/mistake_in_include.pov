@@ -1,0 +1,4 @@
+// A mistake in an included file.
+// expect error mistake.inc:2:15: found 'pigmet'
+camera { location <0, 2, -6> look_at 0 }
+#include "parts/mistake.inc"
