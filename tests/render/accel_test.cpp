@@ -1,0 +1,281 @@
+#include "render/accel/accel.h"
+
+#include "tests/render/solid_test_support.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <random>
+
+namespace firstlight::render {
+namespace {
+
+using Kind = Solid::Kind;
+
+/// What Accel::closest promises, by asking every solid.
+Hit brute_closest(const Scene& scene, const RayQuery& query) {
+  Hit best;
+  best.depth = query.max_depth;
+  for (std::size_t s = 0; s < scene.solids.size(); ++s) {
+    if ((scene.solids[s].hidden_from & query.hidden_bit) != 0) continue;
+    std::vector<Crossing> all;
+    scene.solids[s].crossings(query.ray, query.hidden_bit, all);
+    for (std::size_t i = all.size(); i-- > 0;) {
+      const Crossing& c = all[i];
+      if (!(c.depth > query.min_depth && c.depth < best.depth)) continue;
+      best = {c.depth, c.part, c.face, c.shape, static_cast<std::uint32_t>(s)};
+    }
+  }
+  return best.part == kNoIndex ? Hit() : best;
+}
+
+bool brute_occluded(const Scene& scene, const RayQuery& query) {
+  for (const Solid& solid : scene.solids) {
+    if ((solid.hidden_from & query.hidden_bit) != 0) continue;
+    std::vector<Crossing> all;
+    solid.crossings(query.ray, query.hidden_bit, all);
+    for (const Crossing& c : all) {
+      if (scene.parts[c.part].opaque && c.depth > query.min_depth && c.depth < query.max_depth) return true;
+    }
+  }
+  return false;
+}
+
+void expect_same(const Hit& a, const Hit& b) {
+  ASSERT_EQ(a.part, b.part);
+  ASSERT_EQ(a.depth, b.depth);
+  ASSERT_EQ(a.face, b.face);
+  ASSERT_EQ(a.shape, b.shape);
+  ASSERT_EQ(a.solid, b.solid);
+}
+
+class Dice {
+ public:
+  explicit Dice(unsigned seed) : random_(seed) {}
+  double between(double low, double high) { return std::uniform_real_distribution<double>(low, high)(random_); }
+  Vec3 point(double reach) {
+    const double x = between(-reach, reach);
+    const double y = between(-reach, reach);
+    return Vec3(x, y, between(-reach, reach));
+  }
+  int below(int n) { return std::uniform_int_distribution<int>(0, n - 1)(random_); }
+
+ private:
+  std::mt19937 random_;
+};
+
+ShapePtr random_shape(Dice& dice) {
+  const Vec3 p = dice.point(5.0);
+  const double r = dice.between(0.05, 0.6);
+  switch (dice.below(8)) {
+    case 0:
+      return make_box(p, p + dice.point(1.0));
+    case 1:
+      return make_cylinder(p, p + dice.point(1.0), r, dice.below(2) == 0);
+    case 2:
+      return make_cone(p, r, p + dice.point(1.0), 0.0, false);
+    case 3:
+      return make_torus(r, 0.3 * r)->placed(Transform::rotation(dice.point(180)).then(Transform::translation(p)));
+    case 4:
+      return make_triangle(p, p + dice.point(1.0), p + dice.point(1.0));
+    case 5:
+      return make_disc(p, dice.point(1.0), r, 0.3 * r);
+    case 6:
+      return make_sphere(Vec3(0.0), r)->placed(Transform::scaling(Vec3(1, 2, 0.5)).then(Transform::translation(p)));
+    default:
+      return make_sphere(p, r);
+  }
+}
+
+Scene mixed_scene(unsigned seed, int count) {
+  Dice dice(seed);
+  Scene scene;
+  for (int i = 0; i < count; ++i) {
+    Solid solid = solid_of(random_shape(dice));
+    if (dice.below(6) == 0) {
+      solid = combined(Kind::intersection, {solid, solid_of(make_sphere(dice.point(5.0), 3.0)->inverted())});
+    }
+    if (dice.below(8) == 0) solid = clipped(solid, solid_of(make_plane(dice.point(1.0), 0.2)));
+    if (dice.below(8) == 0) solid.hidden_from = static_cast<std::uint8_t>(1 << dice.below(3));
+    add_solid(scene, std::move(solid), dice.below(3) != 0);
+  }
+  add_solid(scene, solid_of(make_plane(Vec3(0, 1, 0), -4.5)));
+  add_solid(scene, solid_of(make_plane(Vec3(1, 0.2, 0), 7.0)), false);
+  add_solid(scene, solid_of(make_sphere(Vec3(0.0), 1e6)));
+  return scene;
+}
+
+std::vector<RayQuery> random_queries(unsigned seed, int count) {
+  Dice dice(seed);
+  std::vector<RayQuery> queries;
+  for (int i = 0; i < count; ++i) {
+    RayQuery q;
+    q.ray.origin = dice.point(dice.below(4) == 0 ? 100.0 : 6.0);
+    Vec3 d = dice.point(4.0) - q.ray.origin;
+    if (dice.below(5) == 0) d[dice.below(3)] = 0.0;
+    if (dice.below(10) == 0) {  // along an axis
+      const int axis = dice.below(3);
+      d = Vec3(0.0);
+      d[axis] = dice.below(2) == 0 ? 1.0 : -1.0;
+    }
+    q.ray.direction = d.normalized();
+    q.min_depth = dice.below(4) == 0 ? dice.between(0.0, 5.0) : 1e-4;
+    q.max_depth = dice.below(3) == 0 ? dice.between(1.0, 15.0) : 1e7;
+    q.hidden_bit = static_cast<std::uint8_t>(dice.below(4) == 0 ? 0 : 1 << dice.below(3));
+    queries.push_back(q);
+  }
+  return queries;
+}
+
+TEST(Accel, AgreesToTheBitWithAskingEverySolid) {
+  for (const int count : {0, 1, 2, 9, 400}) {
+    const Scene scene = mixed_scene(static_cast<unsigned>(count), count);
+    const Accel accel(scene);
+    const std::vector<RayQuery> queries = random_queries(3, 4000);
+    std::vector<Hit> hits(queries.size());
+    std::vector<std::uint8_t> blocked(queries.size());
+    accel.closest(queries, hits);
+    accel.occluded(queries, blocked);
+    for (std::size_t i = 0; i < queries.size(); ++i) {
+      SCOPED_TRACE(i);
+      expect_same(hits[i], brute_closest(scene, queries[i]));
+      ASSERT_EQ(blocked[i] != 0, brute_occluded(scene, queries[i]));
+    }
+  }
+}
+
+TEST(Accel, AnswersDoNotDependOnTheBlock) {
+  const Scene scene = mixed_scene(5, 300);
+  const Accel accel(scene);
+  const std::vector<RayQuery> queries = random_queries(6, 1000);
+  std::vector<Hit> whole(queries.size());
+  accel.closest(queries, whole);
+  for (const std::size_t block : {std::size_t{1}, std::size_t{7}, std::size_t{64}}) {
+    for (std::size_t first = 0; first < queries.size(); first += block) {
+      const std::size_t size = std::min(block, queries.size() - first);
+      std::vector<Hit> some(size);
+      accel.closest(std::span(queries).subspan(first, size), some);
+      for (std::size_t i = 0; i < size; ++i) expect_same(some[i], whole[first + i]);
+    }
+  }
+}
+
+TEST(Accel, OfEqualDepthsTheLowerSolidWins) {
+  Scene scene;
+  for (int i = 0; i < 40; ++i) {
+    add_solid(scene, solid_of(i % 2 == 0 ? make_sphere(Vec3(0.0), 1.0)
+                                         : make_box(Vec3(-1.0), Vec3(1.0))));
+  }
+  const Accel accel(scene);
+  const RayQuery query{{Vec3(0, 0, -5), Vec3(0, 0, 1)}, 1e-4, 1e7, 0};
+  Hit hit;
+  accel.closest({&query, 1}, {&hit, 1});
+  EXPECT_EQ(hit.solid, 0u);
+  EXPECT_EQ(hit.depth, 4.0);
+}
+
+TEST(Accel, InsideOneSolidTheLastOfEqualsWins) {
+  // Both members are met at depth 4; each comes off POV-Ray's stack in turn, so the second member's is taken.
+  Scene scene;
+  add_solid(scene, combined(Kind::intersection, {solid_of(make_box(Vec3(-1.0), Vec3(1.0))),
+                                                 solid_of(make_box(Vec3(-2, -2, -1), Vec3(2, 2, 3)))}));
+  const Accel accel(scene);
+  const RayQuery query{{Vec3(0, 0, -5), Vec3(0, 0, 1)}, 1e-4, 1e7, 0};
+  Hit hit;
+  accel.closest({&query, 1}, {&hit, 1});
+  EXPECT_EQ(hit.depth, 4.0);
+  EXPECT_EQ(hit.part, 1u);
+}
+
+TEST(Accel, DepthLimitsAreOpen) {
+  Scene scene;
+  add_solid(scene, solid_of(make_sphere(Vec3(0.0), 1.0)));
+  const Accel accel(scene);
+  const auto depth_within = [&](double low, double high) {
+    const RayQuery query{{Vec3(0, 0, -5), Vec3(0, 0, 1)}, low, high, 0};
+    Hit hit;
+    accel.closest({&query, 1}, {&hit, 1});
+    std::uint8_t blocked = 2;
+    accel.occluded({&query, 1}, {&blocked, 1});
+    EXPECT_EQ(blocked, hit.part == kNoIndex ? 0 : 1);
+    return hit.part == kNoIndex ? 0.0 : hit.depth;
+  };
+  EXPECT_EQ(depth_within(0.0, 4.0), 0.0);
+  EXPECT_EQ(depth_within(0.0, 4.1), 4.0);
+  EXPECT_EQ(depth_within(4.0, 10.0), 6.0);
+  EXPECT_EQ(depth_within(4.0, 6.0), 0.0);
+}
+
+TEST(Accel, SmallThingsAreMetUnderAHugeSkyAndFromFarAway) {
+  Scene scene;
+  Dice dice(9);
+  for (int i = 0; i < 500; ++i) add_solid(scene, solid_of(make_sphere(dice.point(0.05), 0.002)));
+  add_solid(scene, solid_of(make_sphere(Vec3(0.0), 1e6)));
+  const Accel accel(scene);
+  std::vector<RayQuery> queries;
+  for (int i = 0; i < 5000; ++i) {
+    const Vec3 from = dice.point(1.0) * std::pow(10.0, dice.between(-2.0, 1.5));
+    queries.push_back({{from, (dice.point(0.05) - from).normalized()}, 1e-6, 1e7, 0});
+  }
+  std::vector<Hit> hits(queries.size());
+  accel.closest(queries, hits);
+  int small = 0;
+  for (std::size_t i = 0; i < queries.size(); ++i) {
+    expect_same(hits[i], brute_closest(scene, queries[i]));
+    small += hits[i].solid < 500u;
+  }
+  EXPECT_GT(small, 500);
+}
+
+TEST(Accel, RaysInThePlaneOfAFaceAreSafe) {
+  Scene scene;
+  for (int i = 0; i < 20; ++i) add_solid(scene, solid_of(make_box(Vec3(2.0 * i, 0, 0), Vec3(2.0 * i + 1, 1, 0))));
+  add_solid(scene, solid_of(make_triangle(Vec3(0, 2, 0), Vec3(1, 2, 0), Vec3(0, 3, 0))));
+  const Accel accel(scene);
+  for (const double y : {0.0, 0.5, 1.0, 2.0, 3.0}) {
+    for (const double z : {0.0, -0.0}) {
+      const RayQuery query{{Vec3(-5, y, 0), Vec3(1, 0, z)}, 1e-4, 1e7, 0};
+      Hit hit;
+      accel.closest({&query, 1}, {&hit, 1});
+      expect_same(hit, brute_closest(scene, query));
+    }
+  }
+}
+
+TEST(Accel, SolidsOnOnePlaceAndSolidsWithoutSizeBuildATree) {
+  Scene scene;
+  for (int i = 0; i < 3000; ++i) add_solid(scene, solid_of(make_sphere(Vec3(1, 2, 3), 0.5)));
+  for (int i = 0; i < 100; ++i) add_solid(scene, solid_of(make_sphere(Vec3(0.0), 0.0)));
+  double radius = 1e-6;
+  for (int i = 0; i < 200; ++i, radius *= 1.3) add_solid(scene, solid_of(make_sphere(Vec3(-2, 0, 0), radius)));
+  const Accel accel(scene);
+  const RayQuery query{{Vec3(1, 2, -5), Vec3(0, 0, 1)}, 1e-4, 1e7, 0};
+  Hit hit;
+  accel.closest({&query, 1}, {&hit, 1});
+  expect_same(hit, brute_closest(scene, query));
+}
+
+TEST(Accel, RaysAndSolidsThatAreNoNumbersMeetNothingAndDoNoHarm) {
+  Scene scene;
+  const double none = std::numeric_limits<double>::quiet_NaN();
+  const double endless = std::numeric_limits<double>::infinity();
+  add_solid(scene, solid_of(make_sphere(Vec3(none, 0, 0), 1.0)));
+  add_solid(scene, solid_of(make_sphere(Vec3(0.0), endless)));
+  add_solid(scene, solid_of(make_box(Vec3(-endless), Vec3(none))));
+  add_solid(scene, solid_of(make_torus(1e200, 1e200)));
+  for (int i = 0; i < 30; ++i) add_solid(scene, solid_of(make_box(Vec3(i), Vec3(i + 0.5))));
+  const Accel accel(scene);
+  for (const Vec3& direction : {Vec3(none, 0, 0), Vec3(0.0), Vec3(endless, 0, 0), Vec3(1, 0, 0)}) {
+    const RayQuery query{{Vec3(-1, 0.25, 0.25), direction}, 1e-4, 1e7, 0};
+    Hit hit;
+    std::uint8_t blocked = 0;
+    accel.closest({&query, 1}, {&hit, 1});
+    accel.occluded({&query, 1}, {&blocked, 1});
+    if (direction == Vec3(1, 0, 0)) {
+      EXPECT_EQ(hit.depth, 1.0);
+    }
+  }
+}
+
+}  // namespace
+}  // namespace firstlight::render
