@@ -114,8 +114,9 @@ void refuse_other_cameras(Reader& reader) {
 /// From version 3.5 on the order of the words does not matter: lengths first, then the angle (which needs `right`),
 /// then where to look, then the transformations.
 void parse_unordered(Reader& reader, Draft& draft) {
+  while (reader.accept(Keyword::perspective)) {
+  }
   for (;;) {
-    if (reader.accept(Keyword::perspective)) continue;
     if (reader.accept(Keyword::angle)) {
       draft.angle = parse_angle(reader);
     } else if (reader.next_is(Keyword::look_at)) {

@@ -24,7 +24,11 @@ int effective_language_version(Reader& reader) { return reader.interpreter().eff
 
 bool at_color(Reader& reader) {
   const Token& next = reader.peek();
-  if (next.kind == TokenKind::identifier) return reader.at_expression();
+  if (next.kind == TokenKind::identifier) {
+    const Value* value = reader.interpreter().peek_value();
+    const auto* numbers = value ? std::get_if<Numbers>(value) : nullptr;
+    return numbers && (numbers->is_color || numbers->size == 5);
+  }
   if (next.kind != TokenKind::keyword) return false;
   switch (next.keyword) {
     case Keyword::color:
@@ -46,6 +50,12 @@ bool at_color(Reader& reader) {
     default:
       return false;
   }
+}
+
+render::FilteredColor color_or_black(Reader& reader) {
+  if (reader.at_expression()) return reader.color();
+  reader.warn(reader.peek(), "expected a colour, found none; it is taken as black");
+  return {};
 }
 
 double finite(Reader& reader, const Token& at, double value, std::string_view what) {

@@ -24,9 +24,10 @@ int language_version(Reader& reader);
 /// The same, but a scene that never states its version counts as one written before 3.7.
 int effective_language_version(Reader& reader);
 
-/// Whether a colour may begin here: a colour word, or an identifier that can be used as one. A literal number or vector
-/// is none.
+/// Whether a colour begins here: a colour word, or the name of a colour. Numbers and vectors are none.
 bool at_color(Reader& reader);
+/// Where a colour is due but may be left out, which means black; that is a warning.
+render::FilteredColor color_or_black(Reader& reader);
 
 /// Fails at `at` unless `value` is finite; `what` names it in the message.
 double finite(Reader& reader, const Token& at, double value, std::string_view what);

@@ -18,7 +18,7 @@ struct Draft {
   bool specular_albedo = false;
 };
 
-Rgb rgb(Reader& reader) { return reader.color().rgb; }
+Rgb rgb(Reader& reader) { return color_or_black(reader).rgb; }
 
 /// The power for the reflected colour; scenes give its reciprocal.
 double parse_exponent(Reader& reader) {
@@ -34,6 +34,10 @@ void parse_reflection(Reader& reader, const Token& word, Finish& finish) {
     finish.reflection_min = finish.reflection_max = rgb(reader);
     finish.reflection_falloff = 1.0;
     finish.reflection_fresnel = false;
+    return;
+  }
+  if (!reader.next_is(Punctuation::left_brace)) {
+    reader.warn(word, "'reflection' without a colour or a block does nothing");
     return;
   }
   reader.open_block(word);

@@ -18,7 +18,7 @@ bool accept_item(Reader& reader, Interior& interior) {
   } else if (reader.accept(Keyword::fade_power)) {
     interior.fade_power = finite_number(reader, "fade_power");
   } else if (reader.accept(Keyword::fade_color)) {
-    interior.fade_color = reader.color().rgb;
+    interior.fade_color = color_or_black(reader).rgb;
   } else if (reader.next_is(Keyword::refraction)) {
     const Token word = reader.take();
     interior.refraction_scale = finite_number(reader, "refraction");

@@ -99,7 +99,7 @@ Object parse_light(Reader& reader, SceneContext& context, const Token& word) {
   object.kind = Object::Kind::light;
   object.light.position = finite_vector(reader, "position of 'light_source'");
   reader.skip_comma();
-  object.light.color = reader.color().rgb;
+  object.light.color = color_or_black(reader).rgb;
   while (accept_item(reader, object)) {
   }
   reader.close_block();

@@ -56,11 +56,7 @@ void parse_checker(Reader& reader, SceneContext& context, Draft& draft) {
 }
 
 void parse_gradient(Reader& reader, Draft& draft) {
-  const Token at = reader.peek();
-  const render::Vec3 axis = finite_vector(reader, "axis of 'gradient'");
-  if (axis.length() == 0.0) reader.fail(at, "axis of 'gradient' has no length");
-  // the scene's vector gives the direction only
-  draft.pigment.pattern = render::make_gradient(axis / axis.length());
+  draft.pigment.pattern = render::make_gradient(finite_vector(reader, "axis of 'gradient'"));
   if (draft.pigment.stepped) draft.pigment.map.clear();
   draft.pigment.stepped = false;
 }

@@ -103,7 +103,7 @@ void parse_global_settings(Reader& reader, SceneContext& context, const Token& w
 
 void parse_background(Reader& reader, SceneContext& context, const Token& word) {
   reader.open_block(word);
-  const render::FilteredColor color = reader.color();
+  const render::FilteredColor color = color_or_black(reader);
   // behind a background that lets light pass there is black
   const float kept = effective_language_version(reader) < 370 ? 1.0f : 1.0f - color.transmit;
   context.builder.settings().background = color.rgb * kept;

@@ -6,7 +6,8 @@ namespace {
 using render::Vec3;
 
 TEST(ParseObject, DeclaredObjectStandsAloneOrInABlock) {
-  const auto scene = scene_of("#declare Ball = sphere { 0, 1 } Ball object { Ball translate 5*x } sphere { Ball translate 9*x }");
+  const auto scene =
+      scene_of("#declare Ball = sphere { 0, 1 } Ball object { Ball translate 5*x } sphere { Ball translate 9*x }");
   ASSERT_EQ(scene->solids.size(), 3u);
   EXPECT_TRUE(inside(*scene, Vec3(0, 0, 0), 0));
   EXPECT_TRUE(inside(*scene, Vec3(5, 0, 0), 1));
@@ -58,7 +59,8 @@ TEST(ParseObject, UnionIsDissolvedIntoItsMembers) {
 }
 
 TEST(ParseObject, DifferenceIsWhatIsInTheFirstAndNoOther) {
-  const auto scene = scene_of("difference { box { -2, 2 } sphere { 0, 1 } union { sphere { 2, 1 } sphere { -2, 1 } } }");
+  const auto scene =
+      scene_of("difference { box { -2, 2 } sphere { 0, 1 } union { sphere { 2, 1 } sphere { -2, 1 } } }");
   EXPECT_TRUE(inside(*scene, Vec3(1.5, 0, 0)));
   EXPECT_FALSE(inside(*scene, Vec3(0, 0, 0)));
   EXPECT_FALSE(inside(*scene, Vec3(1.9, 1.9, 1.9)));
@@ -67,7 +69,8 @@ TEST(ParseObject, DifferenceIsWhatIsInTheFirstAndNoOther) {
 }
 
 TEST(ParseObject, InverseTurnsCombinationsInsideOut) {
-  const auto scene = scene_of("intersection { box { -2, 2 } intersection { sphere { 0, 1 } sphere { 0, 1.5 } inverse } }");
+  const auto scene =
+      scene_of("intersection { box { -2, 2 } intersection { sphere { 0, 1 } sphere { 0, 1.5 } inverse } }");
   EXPECT_FALSE(inside(*scene, Vec3(0, 0, 0)));
   EXPECT_TRUE(inside(*scene, Vec3(1.2, 0, 0)));
 }
@@ -96,7 +99,8 @@ TEST(ParseObject, ClipMovesOnlyWithTransformationsBehindIt) {
 }
 
 TEST(ParseObject, BoundsAndClipsMayBeOne) {
-  const auto scene = scene_of("union { sphere { 0, 1 } box { 3, 4 } clipped_by { box { -0.5, 10 } } bounded_by { clipped_by } }");
+  const auto scene =
+      scene_of("union { sphere { 0, 1 } box { 3, 4 } clipped_by { box { -0.5, 10 } } bounded_by { clipped_by } }");
   ASSERT_EQ(scene->solids.size(), 1u);
   EXPECT_EQ(scene->solids[0].clips.size(), 1u);
   EXPECT_EQ(scene->solids[0].bounds.size(), 1u);
@@ -116,7 +120,9 @@ TEST(ParseObject, FlagsTakeAnOptionalNumber) {
 }
 
 TEST(ParseObject, WordsThatDoNotChangeThePictureAreTaken) {
-  scene_of("union { sphere { 0, 1 } box { 1, 2 } split_union off photons { target reflection on collect off } radiosity { importance 0.5 } }");
+  scene_of(
+      "union { sphere { 0, 1 } box { 1, 2 } split_union off photons { target reflection on collect off } radiosity { "
+      "importance 0.5 } }");
 }
 
 TEST(ParseObject, NestingIsLimited) {
@@ -126,17 +132,22 @@ TEST(ParseObject, NestingIsLimited) {
 }
 
 TEST(ParseObject, ObjectsMadeOfObjectsInALoopAreLimited) {
-  EXPECT_NE(errors(load("#declare A = sphere { 0, 1 } #for (I, 1, 5000) #declare A = union { object { A } sphere { I, 1 } } #end A"))
+  EXPECT_NE(errors(load("#declare A = sphere { 0, 1 } #for (I, 1, 5000) #declare A = union { object { A } sphere { I, "
+                        "1 } } #end A"))
                 .find("nested more than"),
             std::string::npos);
-  EXPECT_NE(errors(load("#declare A = sphere { 0, 1 } #for (I, 1, 60) #declare A = union { object { A } object { A } } #end A"))
-                .find("more than"),
-            std::string::npos);
+  EXPECT_NE(
+      errors(
+          load("#declare A = sphere { 0, 1 } #for (I, 1, 60) #declare A = union { object { A } object { A } } #end A"))
+          .find("more than"),
+      std::string::npos);
 }
 
 TEST(ParseObject, UnsupportedModifierIsNamed) {
-  EXPECT_EQ(errors(load("sphere { 0, 1 uv_mapping }")), "'uv_mapping' is not supported by this version of Firstlight\n");
-  EXPECT_EQ(errors(load("sphere { 0, 1 normal { bumps } }")), "'normal' is not supported by this version of Firstlight\n");
+  EXPECT_EQ(errors(load("sphere { 0, 1 uv_mapping }")),
+            "'uv_mapping' is not supported by this version of Firstlight\n");
+  EXPECT_EQ(errors(load("sphere { 0, 1 normal { bumps } }")),
+            "'normal' is not supported by this version of Firstlight\n");
 }
 
 }  // namespace

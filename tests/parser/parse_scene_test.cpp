@@ -21,8 +21,10 @@ TEST(ParseCamera, DefaultsArePovRays) {
 }
 
 TEST(ParseCamera, OrderOfWordsDoesNotMatter) {
-  const Camera a = camera_of("camera { look_at <1, 2, 3> angle 40 location <4, 5, -6> right 2*x up 1.5*y sky <1, 1, 0> }");
-  const Camera b = camera_of("camera { sky <1, 1, 0> up 1.5*y right 2*x location <4, 5, -6> angle 40 look_at <1, 2, 3> }");
+  const Camera a =
+      camera_of("camera { look_at <1, 2, 3> angle 40 location <4, 5, -6> right 2*x up 1.5*y sky <1, 1, 0> }");
+  const Camera b =
+      camera_of("camera { sky <1, 1, 0> up 1.5*y right 2*x location <4, 5, -6> angle 40 look_at <1, 2, 3> }");
   expect_near(a.direction, b.direction);
   expect_near(a.right, b.right);
   expect_near(a.up, b.up);
@@ -78,7 +80,8 @@ TEST(ParseCamera, AngleMustBeBelow180) {
 }
 
 TEST(ParseLight, PointLightWithFadingAndTransformations) {
-  const auto scene = scene_of("light_source { <1, 2, 3>, rgb <1, 0.5, 0> fade_distance 4 fade_power 2 shadowless translate x }");
+  const auto scene =
+      scene_of("light_source { <1, 2, 3>, rgb <1, 0.5, 0> fade_distance 4 fade_power 2 shadowless translate x }");
   ASSERT_EQ(scene->lights.size(), 1u);
   const render::Light& light = scene->lights[0];
   expect_near(light.position, Vec3(2, 2, 3));
@@ -95,13 +98,16 @@ TEST(ParseLight, LightsInUnionsMoveWithThem) {
 }
 
 TEST(ParseLight, OtherLightsAreNamed) {
-  EXPECT_EQ(errors(load("light_source { 0, rgb 1 spotlight }")), "'spotlight' is not supported by this version of Firstlight\n");
+  EXPECT_EQ(errors(load("light_source { 0, rgb 1 spotlight }")),
+            "'spotlight' is not supported by this version of Firstlight\n");
   EXPECT_EQ(errors(load("light_source { 0, rgb 1 area_light x, y, 2, 2 }")),
             "'area_light' is not supported by this version of Firstlight\n");
 }
 
 TEST(ParseSettings, GlobalSettingsAreKept) {
-  const auto scene = scene_of("global_settings { ambient_light rgb <1, 2, 3> max_trace_level 9 adc_bailout 0.01 noise_generator 2 charset utf8 mm_per_unit 5 } sphere { 0, 1 }");
+  const auto scene = scene_of(
+      "global_settings { ambient_light rgb <1, 2, 3> max_trace_level 9 adc_bailout 0.01 noise_generator 2 charset utf8 "
+      "mm_per_unit 5 } sphere { 0, 1 }");
   EXPECT_FLOAT_EQ(scene->settings.ambient_light.z, 3.0f);
   EXPECT_EQ(scene->settings.max_trace_level, 9);
   EXPECT_EQ(scene->settings.adc_bailout, 0.01);
@@ -116,8 +122,10 @@ TEST(ParseSettings, TraceLevelIsHeldBetween1And256) {
 }
 
 TEST(ParseSettings, PhotonsAndRadiosityAreNamed) {
-  EXPECT_EQ(errors(load("global_settings { radiosity { } }")), "'radiosity' is not supported by this version of Firstlight\n");
-  EXPECT_EQ(errors(load("global_settings { photons { } }")), "'photons' is not supported by this version of Firstlight\n");
+  EXPECT_EQ(errors(load("global_settings { radiosity { } }")),
+            "'radiosity' is not supported by this version of Firstlight\n");
+  EXPECT_EQ(errors(load("global_settings { photons { } }")),
+            "'photons' is not supported by this version of Firstlight\n");
 }
 
 TEST(ParseScene, BackgroundIsMixedWithBlackWhereItTransmits) {

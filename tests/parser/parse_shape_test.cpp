@@ -93,9 +93,10 @@ TEST(ParseShape, ShapeThatCannotBeRenderedIsNamedAtItsPlace) {
 }
 
 TEST(ParseShape, ShapeThatCannotBeRenderedMayBeDeclared) {
-  EXPECT_EQ(errors(load("#declare Q = quadric { <1,0,0>, 0, 0, -1 } #declare D = intersection { object { Q } box { -1, 1 } }"
-                        " sphere { 0, 1 }")),
-            "");
+  EXPECT_EQ(
+      errors(load("#declare Q = quadric { <1,0,0>, 0, 0, -1 } #declare D = intersection { object { Q } box { -1, 1 } }"
+                  " sphere { 0, 1 }")),
+      "");
   EXPECT_NE(errors(load("#declare Q = quadric { <1,0,0>, 0, 0, -1 } object { Q }")).find("'quadric'"),
             std::string::npos);
 }

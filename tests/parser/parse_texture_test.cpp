@@ -33,13 +33,15 @@ TEST(ParseTexture, DeclaredPigmentIsAStartThatTheBlockAlters) {
 
 TEST(ParseTexture, ColorMapTakesOldEntriesOfTwoColors) {
   const auto scene = scene_of(
-      "sphere { 0, 1 pigment { gradient x color_map { [0.0 0.5 color red 1 color green 1] [0.5 1.0 color blue 1 color rgb 1] } } }");
+      "sphere { 0, 1 pigment { gradient x color_map { [0.0 0.5 color red 1 color green 1] [0.5 1.0 color blue 1 color "
+      "rgb 1] } } }");
   expect_color(color_of(*scene, Vec3(0.25, 0, 0)), Rgb(0.5f, 0.5f, 0));
   expect_color(color_of(*scene, Vec3(0.75, 0, 0)), Rgb(0.5f, 0.5f, 1));
 }
 
 TEST(ParseTexture, DeclaredColorMapCanBeUsed) {
-  const auto scene = scene_of("#declare M = color_map { [0 rgb 0] [1 rgb 1] } sphere { 0, 1 pigment { gradient x color_map { M } } }");
+  const auto scene =
+      scene_of("#declare M = color_map { [0 rgb 0] [1 rgb 1] } sphere { 0, 1 pigment { gradient x color_map { M } } }");
   expect_color(color_of(*scene, Vec3(0.5, 0, 0)), Rgb(0.5f));
 }
 
@@ -51,7 +53,8 @@ TEST(ParseTexture, GradientWithoutMapGoesFromBlackToWhite) {
 TEST(ParseTexture, CheckerIsBlueAndGreenUnlessColorsAreGiven) {
   const auto scene = scene_of(
       "plane { y, 0 pigment { checker } } plane { y, 0 pigment { checker rgb 1 } }"
-      "plane { y, 0 pigment { checker rgb 1, rgb x scale 2 } } plane { y, 0 pigment { checker pigment { rgb 1 } pigment { rgb y } } }");
+      "plane { y, 0 pigment { checker rgb 1, rgb x scale 2 } } plane { y, 0 pigment { checker pigment { rgb 1 } "
+      "pigment { rgb y } } }");
   const Vec3 even(0.5, 0.5, 0.5), odd(1.5, 0.5, 0.5);
   expect_color(color_of(*scene, even, 0), Rgb(0, 0, 1));
   expect_color(color_of(*scene, odd, 0), Rgb(0, 1, 0));
@@ -79,13 +82,14 @@ TEST(ParseTexture, OnlyTransformationsBehindATextureMoveIt) {
 }
 
 TEST(ParseTexture, TextureTransformationsMoveTheLayersThatAreThere) {
-  const auto scene = scene_of("sphere { 0, 1 texture { pigment { gradient x } translate 0.25*x pigment { phase 0.0 } } }");
+  const auto scene =
+      scene_of("sphere { 0, 1 texture { pigment { gradient x } translate 0.25*x pigment { phase 0.0 } } }");
   expect_color(color_of(*scene, Vec3(0.5, 0, 0)), Rgb(0.25f));
 }
 
 TEST(ParseTexture, ChildrenKeepTheirTexturesAndMoveWithTheParent) {
-  const auto scene = scene_of(
-      "union { sphere { 0, 1 pigment { gradient x } } sphere { 0, 1 } pigment { rgb y } translate 0.25*x }");
+  const auto scene =
+      scene_of("union { sphere { 0, 1 pigment { gradient x } } sphere { 0, 1 } pigment { rgb y } translate 0.25*x }");
   expect_color(color_of(*scene, Vec3(0.5, 0, 0), 0), Rgb(0.25f));
   expect_color(color_of(*scene, Vec3(0.5, 0, 0), 1), Rgb(0, 1, 0));
 }
@@ -103,14 +107,16 @@ TEST(ParseTexture, LaterTextureLiesOnTop) {
 
 TEST(ParseTexture, LowerLayerMovesWithTheObjectBeforeTheUpperOneComes) {
   const auto scene = scene_of(
-      "sphere { 0, 1 texture { pigment { gradient x } } translate 0.25*x texture { pigment { gradient x } } translate 0.25*x }");
+      "sphere { 0, 1 texture { pigment { gradient x } } translate 0.25*x texture { pigment { gradient x } } translate "
+      "0.25*x }");
   expect_color(color_of(*scene, Vec3(0.75, 0, 0), 0, 0), Rgb(0.5f));
   expect_color(color_of(*scene, Vec3(0.75, 0, 0), 0, 1), Rgb(0.25f));
 }
 
 TEST(ParseTexture, PigmentInAnObjectAltersTheTextureThatIsThere) {
   const auto scene = scene_of(
-      "#declare T = texture { pigment { rgb x } finish { diffuse 0.9 } } sphere { 0, 1 texture { T } pigment { rgb z } }"
+      "#declare T = texture { pigment { rgb x } finish { diffuse 0.9 } } sphere { 0, 1 texture { T } pigment { rgb z } "
+      "}"
       "sphere { 0, 1 finish { diffuse 0.1 } pigment { rgb z } }");
   expect_color(color_of(*scene, Vec3(0.0), 0), Rgb(0, 0, 1));
   EXPECT_EQ(finish_of(*scene, 0).diffuse, 0.9);
@@ -138,7 +144,8 @@ TEST(ParseTexture, InteriorTextureNeedsATexture) {
 
 TEST(ParseTexture, MaterialBringsTextureAndInterior) {
   const auto scene = scene_of(
-      "#declare M = material { texture { pigment { rgbf <1, 1, 1, 1> } } interior { ior 1.5 fade_distance 2 fade_power 1001 fade_color rgb y } }"
+      "#declare M = material { texture { pigment { rgbf <1, 1, 1, 1> } } interior { ior 1.5 fade_distance 2 fade_power "
+      "1001 fade_color rgb y } }"
       "sphere { 0, 1 material { M } }");
   const render::Interior& interior = scene->interiors.at(scene->parts.at(0).interior);
   EXPECT_EQ(interior.ior, 1.5);
@@ -150,8 +157,10 @@ TEST(ParseTexture, MaterialBringsTextureAndInterior) {
 
 TEST(ParseTexture, ReflectionHasAnOldAndANewForm) {
   const auto scene = scene_of(
-      "sphere { 0, 1 finish { reflection 0.3 reflection_exponent 2 } } sphere { 0, 1 finish { reflection { 0.1, 0.9 falloff 3 metallic 0.5 exponent 4 } } }"
-      "sphere { 0, 1 finish { reflection { 0.8 fresnel } conserve_energy } interior { ior 1.3 } } sphere { 0, 1 finish { reflection rgb x } }");
+      "sphere { 0, 1 finish { reflection 0.3 reflection_exponent 2 } } sphere { 0, 1 finish { reflection { 0.1, 0.9 "
+      "falloff 3 metallic 0.5 exponent 4 } } }"
+      "sphere { 0, 1 finish { reflection { 0.8 fresnel } conserve_energy } interior { ior 1.3 } } sphere { 0, 1 finish "
+      "{ reflection rgb x } }");
   EXPECT_FLOAT_EQ(finish_of(*scene, 0).reflection_min.x, 0.3f);
   EXPECT_FLOAT_EQ(finish_of(*scene, 0).reflection_max.z, 0.3f);
   EXPECT_EQ(finish_of(*scene, 0).reflection_exponent, 0.5);
@@ -169,7 +178,8 @@ TEST(ParseTexture, ReflectionHasAnOldAndANewForm) {
 
 TEST(ParseTexture, AlbedoScalesStrengthsByTheirExponents) {
   const auto scene = scene_of(
-      "sphere { 0, 1 finish { diffuse albedo 0.5, 0.2 brilliance 3 phong albedo 0.1 phong_size 39 specular albedo 0.4 roughness 0.1 } }");
+      "sphere { 0, 1 finish { diffuse albedo 0.5, 0.2 brilliance 3 phong albedo 0.1 phong_size 39 specular albedo 0.4 "
+      "roughness 0.1 } }");
   const render::Finish& finish = finish_of(*scene);
   EXPECT_DOUBLE_EQ(finish.diffuse, 1.0);
   EXPECT_DOUBLE_EQ(finish.diffuse_back, 0.4);
@@ -191,7 +201,8 @@ TEST(ParseTexture, WhatCannotBeRenderedIsNamed) {
   };
   EXPECT_EQ(errors(load("sphere { 0, 1 pigment { bozo } }")), unsupported("bozo"));
   EXPECT_EQ(errors(load("sphere { 0, 1 pigment { gradient x turbulence 0.5 } }")), unsupported("turbulence"));
-  EXPECT_EQ(errors(load("sphere { 0, 1 texture { pigment { image_map { png \"a.png\" } } } }")), unsupported("image_map"));
+  EXPECT_EQ(errors(load("sphere { 0, 1 texture { pigment { image_map { png \"a.png\" } } } }")),
+            unsupported("image_map"));
   EXPECT_EQ(errors(load("sphere { 0, 1 finish { irid { 0.3 } } }")), unsupported("irid"));
   EXPECT_EQ(errors(load("sphere { 0, 1 interior { media { emission 1 } } }")), unsupported("media"));
   EXPECT_EQ(errors(load("sphere { 0, 1 interior { dispersion 1.02 } }")), unsupported("dispersion"));
