@@ -16,7 +16,8 @@ namespace firstlight::parser {
 /// towards the statements.
 ///
 /// Errors   Throws SyntaxError.
-/// Limits   Steps, that is turns of loops and calls of macros, are bounded by kMostSteps: an endless loop ends with a message.
+/// Limits   Steps, that is turns of loops and calls of macros, are bounded by kMostSteps: an endless loop ends with a
+/// message.
 class Interpreter final : public TokenStream {
  public:
   static constexpr std::size_t kDeepestInclude = 64;
@@ -52,11 +53,11 @@ class Interpreter final : public TokenStream {
   struct Condition {
     enum class Kind { if_, while_, for_, switch_ };
     Kind kind = Kind::if_;
-    std::size_t frame = 0;     // depth of the frame it is in
-    std::uint32_t hash = 0;    // of its first directive
-    std::uint32_t symbol = 0;  // of #for
+    std::size_t frame = 0;            // depth of the frame it is in
+    std::uint32_t hash = 0;           // of its first directive
+    std::uint32_t body = 0;           // of #for: behind its parentheses
+    Scopes::Slot variable = nullptr;  // of #for
     double end = 0.0, step = 0.0;
-    double value = 0.0;  // of #switch
   };
   /// What `#declare` writes to.
   struct Target {
@@ -75,26 +76,28 @@ class Interpreter final : public TokenStream {
   // directive.cpp
   void run_directive() override;
   void obey(const Token& word, std::uint32_t hash);
-  void run_version(const Token& word);
+  void run_version(const Token& word, bool first);
   void run_message(const Token& word);
   void run_undef();
-  void run_default();
   void run_include(const Token& word);
   const TokenFile& tokens_of(const SourceFile& file);
   void count_step(const Location& at);
   // conditional.cpp
   bool condition_holds();
   void run_if(const Token& word, std::uint32_t hash);
-  void run_further_branch(const Token& word);
+  void run_further_branch(const Token& word, std::uint32_t hash);
   void run_switch(const Token& word, std::uint32_t hash);
   bool case_applies(Keyword word, double value);
-  void run_while(std::uint32_t hash);
+  void run_while(const Token& word, std::uint32_t hash);
   void run_for(const Token& word, std::uint32_t hash);
-  void run_end(const Token& word);
+  void run_end(const Token& word, std::uint32_t hash);
   void run_break(const Token& word);
   std::uint32_t end_of_block(std::uint32_t hash) const;
   void go_behind(std::uint32_t end);
-  Condition& innermost(const Token& word);
+  bool for_continues(const Condition& loop) const;
+  bool turn_again(Condition& loop, const Token& word);
+  bool in_block() const { return !conditions_.empty() && conditions_.back().frame == frames_.size(); }
+  void check_same_frame(std::size_t frames, const Token& word);
   // macro.cpp
   void define_macro(std::uint32_t hash);
   void call_macro(const Token& name, const std::shared_ptr<const Macro>& macro) override;
@@ -103,7 +106,9 @@ class Interpreter final : public TokenStream {
   Target parse_target(const Token& word);
   Argument parse_argument(bool parameter);
   void check_redeclared(const Target& target, const Value& value);
+  Value parse_statement_value(const Token& first);
   Value store_unparsed(const Checkpoint& start, const Token& word, std::string why);
+  Token take_identifier(std::string_view behind);
   // array.cpp
   Scopes::Slot pick_element(const Scopes::Slot& array, const Token& name, bool may_be_empty) override;
   std::size_t parse_subscripts(const Array& array, const Token& name);
@@ -116,7 +121,6 @@ class Interpreter final : public TokenStream {
   RandomStreams random_;
   std::vector<std::unique_ptr<TokenFile>> token_files_;  // by SourceFile::index
   std::vector<Condition> conditions_;
-  std::size_t includes_ = 0;
   std::uint64_t steps_ = 0;
 };
 

@@ -22,8 +22,7 @@ bool LanguageState::set_assumed_gamma(render::WorkingGamma gamma, double exponen
 float LanguageState::from_srgb(float component) const {
   if (gamma_ == render::WorkingGamma::srgb) return component;
   // IEC 61966-2-1: the straight piece ends at 0.04045.
-  const float linear =
-      component <= 0.04045f ? component / 12.92f : std::pow((component + 0.055f) / 1.055f, 2.4f);
+  const float linear = component <= 0.04045f ? component / 12.92f : std::pow((component + 0.055f) / 1.055f, 2.4f);
   if (gamma_ != render::WorkingGamma::power) return linear;
   return static_cast<float>(std::pow(std::max(linear, 0.0f), static_cast<float>(1.0 / exponent_)));
 }

@@ -27,14 +27,16 @@ constexpr std::uint32_t kNoLink = 0;
 
 /// A file cut into tokens; the last one is always TokenKind::end.
 ///
-/// Links    The `#` of a block directive (#if, #while, #macro ...) holds in `symbol` the index of the `#` of what follows it
+/// Links    The `#` of a block directive (#if, #while, #macro ...) holds in `symbol` the index of the `#` of what
+/// follows it
 ///          in the same block: #else, #elseif, #case, #range or #end. Skipping text is following links, not reading it.
 struct TokenFile {
   const SourceFile* source = nullptr;
   std::vector<Token> tokens;
 };
 
-/// Cuts `source` into tokens. Throws SyntaxError for what cannot be text of a scene, and for a block directive without #end.
+/// Cuts `source` into tokens. Throws SyntaxError for what cannot be text of a scene, and for a block directive without
+/// #end.
 TokenFile tokenize(const SourceFile& source, Symbols& symbols);
 
 }  // namespace firstlight::parser

@@ -37,12 +37,14 @@ class Reader {
   void close_block();
 
   // --- declared values ----------------------------------------------------------------------------------------------
-  /// If the next token is an identifier (or array element) holding a T, takes it and returns the value; else null, and nothing
-  /// is taken. T is one of the alternatives of Value behind a shared_ptr, e.g. accept_declared<render::Texture>().
+  /// If the next token is an identifier (or array element) holding a T, takes it and returns the value; else null, and
+  /// nothing is taken. T is one of the alternatives of Value behind a shared_ptr, e.g.
+  /// accept_declared<render::Texture>().
   template <class T>
   std::shared_ptr<const T> accept_declared();
 
-  // --- expressions ----------------------------------------------------------------------------------------------------
+  // --- expressions
+  // ----------------------------------------------------------------------------------------------------
   /// Whether the next token can begin a numeric, vector or colour expression (CASE_EXPRESS in POV-Ray's terms), or a
   /// number only.
   bool at_expression();
@@ -51,7 +53,8 @@ class Reader {
   /// A number is promoted to a vector with equal components.
   render::Vec3 vector3();
   render::Vec2 vector2();
-  /// Any colour expression, with or without a leading `color` / `rgb...` word, or a declared colour; a number is grey in all five components' rgb.
+  /// Any colour expression, with or without a leading `color` / `rgb...` word, or a declared colour; a number is grey
+  /// in all five components' rgb.
   render::FilteredColor color();
   /// The number after a keyword that may stand alone: `metallic`, `fresnel off`, `open`.
   double optional_number(double when_absent);
@@ -59,8 +62,12 @@ class Reader {
   std::string string();
   Numbers expression();
 
-  // --- messages -------------------------------------------------------------------------------------------------------
+  // --- messages
+  // -------------------------------------------------------------------------------------------------------
   [[noreturn]] void fail(const Token& at, std::string message);
+  /// "'normal' is not supported by this version of Firstlight", at the word. A declaration of such a value is passed
+  /// over with its block; only its use is an error.
+  [[noreturn]] void fail_unsupported(const Token& word);
   /// "expected `what`, found ..." at the next token.
   [[noreturn]] void fail_expected(std::string_view what);
   void warn(const Token& at, std::string message);
@@ -68,8 +75,20 @@ class Reader {
   Interpreter& interpreter() { return interpreter_; }
 
  private:
-  std::shared_ptr<const void> accept_declared_kind(std::size_t kind);  // index into Value
+  const Value* peek_value();
+  void take_name();
   Interpreter& interpreter_;
 };
+
+template <class T>
+std::shared_ptr<const T> Reader::accept_declared() {
+  const Value* value = peek_value();
+  if (value == nullptr) return nullptr;
+  const auto* held = std::get_if<std::shared_ptr<const T>>(value);
+  if (held == nullptr) return nullptr;
+  std::shared_ptr<const T> result = *held;
+  take_name();
+  return result;
+}
 
 }  // namespace firstlight::parser

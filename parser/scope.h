@@ -8,8 +8,9 @@
 
 namespace firstlight::parser {
 
-/// The declared names. Scopes nest by what is being read: the scene (1), then each included file and each macro call. A name
-/// means what the innermost scope that has it says, whoever calls whom. [POV-Ray 3.7 manual, "Identifier name collisions"]
+/// The declared names. Scopes nest by what is being read: the scene (1), then each included file and each macro call. A
+/// name means what the innermost scope that has it says, whoever calls whom. [POV-Ray 3.7 manual, "Identifier name
+/// collisions"]
 ///
 /// Cost     find O(1): each symbol keeps its own stack of bindings.
 class Scopes {

@@ -22,7 +22,7 @@ std::string lower_case(std::string text) {
   return text;
 }
 
-fs::path canonical(const fs::path& path) {
+fs::path resolved(const fs::path& path) {
   std::error_code error;
   fs::path result = fs::weakly_canonical(path, error);
   return error ? fs::path() : result;
@@ -95,10 +95,10 @@ render::Diagnostic diagnostic_at(const SourceFile& file, const Location& locatio
 
 SourceFiles::Result SourceFiles::read_scene(const std::string& path, const std::vector<std::string>& library_paths) {
   std::error_code error;
-  folders_.push_back(canonical(fs::current_path(error)));
-  folders_.push_back(canonical(fs::absolute(path, error)).parent_path());
-  for (const std::string& folder : library_paths) folders_.push_back(canonical(folder));
-  for (const char* folder : kStandardIncludeFolders) folders_.push_back(canonical(folder));
+  folders_.push_back(resolved(fs::current_path(error)));
+  folders_.push_back(resolved(fs::absolute(path, error)).parent_path());
+  for (const std::string& folder : library_paths) folders_.push_back(resolved(folder));
+  for (const char* folder : kStandardIncludeFolders) folders_.push_back(resolved(folder));
   if (!fs::exists(path, error)) return {Status::missing, nullptr, path, false};
   return read(path, path);
 }
@@ -106,7 +106,7 @@ SourceFiles::Result SourceFiles::read_scene(const std::string& path, const std::
 SourceFiles::Result SourceFiles::read_include(const std::string& name, const SourceFile& from) {
   const Found found = find(name, from);
   if (found.path.empty()) return {Status::missing, nullptr, name, false};
-  if (!may_read(canonical(found.path))) return {Status::forbidden, nullptr, found.path.string(), false};
+  if (!may_read(resolved(found.path))) return {Status::forbidden, nullptr, found.path.string(), false};
   Result result = read(found.path, found.path.lexically_normal().string());
   result.other_case = found.other_case;
   return result;
@@ -114,7 +114,7 @@ SourceFiles::Result SourceFiles::read_include(const std::string& name, const Sou
 
 bool SourceFiles::exists(const std::string& name, const SourceFile& from) const {
   const Found found = find(name, from);
-  return !found.path.empty() && may_read(canonical(found.path));
+  return !found.path.empty() && may_read(resolved(found.path));
 }
 
 SourceFiles::Found SourceFiles::find(const std::string& name, const SourceFile& from) const {
@@ -147,7 +147,7 @@ bool SourceFiles::may_read(const fs::path& path) const {
 }
 
 SourceFiles::Result SourceFiles::read(const fs::path& path, std::string name) {
-  const fs::path where = canonical(path);
+  const fs::path where = resolved(path);
   for (const auto& file : files_) {
     if (file->path == where) return {Status::found, file.get(), name, false};
   }

@@ -14,9 +14,9 @@ namespace firstlight::parser {
 /// One file of scene text, as read.
 /// Memory   Lives as long as the SourceFiles it came from; tokens hold views into `text`.
 struct SourceFile {
-  std::uint32_t index = 0;               ///< Location::file of its tokens
-  std::string name;                      ///< for messages
-  std::filesystem::path path;            ///< canonical
+  std::uint32_t index = 0;     ///< Location::file of its tokens
+  std::string name;            ///< for messages
+  std::filesystem::path path;  ///< canonical
   std::string text;
   std::vector<std::uint32_t> line_starts;  ///< byte offsets
 
@@ -29,7 +29,8 @@ render::Diagnostic diagnostic_at(const SourceFile& file, const Location& locatio
 
 /// Finds and reads the files a scene is made of, each once.
 ///
-/// Order    A relative name is looked for in the current directory, the scene's folder, the including file's folder, the
+/// Order    A relative name is looked for in the current directory, the scene's folder, the including file's folder,
+/// the
 ///          library paths, the standard include folders [POV-Ray 3.7 asks the current directory first too].
 /// Limits   Only regular files of at most kLargestFile bytes under one of those folders are read: a scene is untrusted.
 class SourceFiles {

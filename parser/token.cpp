@@ -16,8 +16,8 @@ constexpr auto kKeywordSpellings = std::to_array<std::string_view>({
 
 // In the order of Punctuation.
 constexpr auto kPunctuationSpellings = std::to_array<std::string_view>(
-    {"",  "{", "}", "(", ")", "[", "]", "<", ">", "<=", ">=", "=", "!=", "+", "-",  "*", "/", "|",
-     "&", "!", "?", ":", ";", ",", ".", "#", "@", "`",  "\\", "$", "^",  "%", "'", "~"});
+    {"",  "{", "}", "(", ")", "[", "]", "<", ">", "<=", ">=", "=",  "!=", "+", "-", "*", "/",
+     "|", "&", "!", "?", ":", ";", ",", ".", "#", "@",  "`",  "\\", "$",  "^", "%", "'", "~"});
 
 std::unordered_map<std::string_view, Keyword> make_keyword_table() {
   std::unordered_map<std::string_view, Keyword> table;

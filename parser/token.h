@@ -64,7 +64,7 @@ enum class TokenKind : std::uint8_t { end, keyword, identifier, number, string, 
 
 /// The smallest piece of the scene text.
 /// Memory   `text` is a view that lives as long as the Interpreter: spelling of a word or number, contents of a string
-///          with its escapes replaced.
+///          with its escapes as they are written (Reader::string() replaces them).
 struct Token {
   TokenKind kind = TokenKind::end;
   Punctuation punctuation = Punctuation::none;

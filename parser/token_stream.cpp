@@ -8,15 +8,16 @@ using render::Diagnostic;
 
 namespace {
 
-constexpr std::size_t kLongestCallChain = 8;       // calls a message tells of
+constexpr std::size_t kLongestCallChain = 8;      // calls a message tells of
 constexpr std::size_t kMostDiagnostics = 10'000;  // kept of one scene; a loop may warn at every turn
 
 }  // namespace
 
 TokenStream::Nesting::Nesting(TokenStream& stream) : stream_(stream) {
   if (stream_.nesting_ >= kDeepestExpression) {
-    stream_.fail(stream_.raw_next().location, "expressions, declarations or macro arguments are nested too deeply here (limit " +
-                                                  std::to_string(kDeepestExpression) + ")");
+    stream_.fail(stream_.raw_next().location,
+                 "expressions, declarations or macro arguments are nested too deeply here (limit " +
+                     std::to_string(kDeepestExpression) + ")");
   }
   ++stream_.nesting_;
 }
@@ -103,9 +104,10 @@ Token TokenStream::take() {
       const Unsupported& what = **absent;
       const std::string name(token.text);
       if (what.word.location.line == 0) fail(token.location, "'" + name + "' cannot be used: " + what.why, true);
-      SyntaxError error({diagnostic(token.location, Diagnostic::Severity::error, "'" + name + "' cannot be used: " + what.why),
-                         diagnostic(what.word.location, Diagnostic::Severity::note, "this is why")},
-                        true);
+      SyntaxError error(
+          {diagnostic(token.location, Diagnostic::Severity::error, "'" + name + "' cannot be used: " + what.why),
+           diagnostic(what.word.location, Diagnostic::Severity::note, "this is why")},
+          true);
       add_call_chain(error.diagnostics);
       throw error;
     }
@@ -114,6 +116,14 @@ Token TokenStream::take() {
   pending_ = false;
   ++taken_;
   return token;
+}
+
+Scopes::Binding TokenStream::take_binding() {
+  peek();
+  settled_ = false;
+  pending_ = false;
+  ++taken_;
+  return peek_binding();
 }
 
 Token TokenStream::take_raw() {
@@ -125,7 +135,8 @@ Token TokenStream::take_raw() {
 
 void TokenStream::expect(Punctuation mark, std::string_view behind) {
   if (!peek().is(mark)) {
-    fail(peek().location, "expected '" + std::string(spelling(mark)) + "' " + std::string(behind) + ", found " + describe_next());
+    fail(peek().location,
+         "expected '" + std::string(spelling(mark)) + "' " + std::string(behind) + ", found " + describe_next());
   }
   take();
 }
@@ -135,7 +146,8 @@ void TokenStream::expect(Punctuation mark, std::string_view behind) {
 void TokenStream::enter_frame(Frame frame) {
   unsettle();
   if (frames_.size() >= kDeepestFrame) {
-    fail(frame.call, "macros and included files are nested too deeply here (limit " + std::to_string(kDeepestFrame) + ")");
+    fail(frame.call,
+         "macros and included files are nested too deeply here (limit " + std::to_string(kDeepestFrame) + ")");
   }
   if (!frames_.empty()) scopes_.enter();
   frames_.push_back(std::move(frame));

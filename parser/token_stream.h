@@ -20,9 +20,10 @@ namespace firstlight::parser {
 /// Limits   Depths are bounded (the constants below), so that no scene can exhaust the stack.
 class TokenStream {
  public:
-  static constexpr std::size_t kDeepestBlock = 200;       // of braces; POV-Ray has the same limit
-  static constexpr std::size_t kDeepestExpression = 250;  // of parentheses, arguments, values being declared, directives
-  static constexpr std::size_t kDeepestFrame = 1000;      // of macros and included files
+  static constexpr std::size_t kDeepestBlock = 200;  // of braces; POV-Ray has the same limit
+  static constexpr std::size_t kDeepestExpression =
+      250;                                            // of parentheses, arguments, values being declared, directives
+  static constexpr std::size_t kDeepestFrame = 1000;  // of macros and included files
 
   TokenStream(const render::LoadOptions& options, render::Diagnostics& diagnostics)
       : options_(options), diagnostics_(diagnostics) {}
@@ -39,6 +40,8 @@ class TokenStream {
   const Value* peek_value() { return peek().kind == TokenKind::identifier ? next_slot_.get() : nullptr; }
   /// The place of that value and the scope of the name. Pre: peek_value().
   Scopes::Binding peek_binding() const { return {next_scope_, next_slot_}; }
+  /// Takes that name, whatever it is declared as.
+  Scopes::Binding take_binding();
   /// Tokens taken so far; tells whether an expression was a single name.
   std::uint64_t taken() const { return taken_; }
   void expect(Punctuation mark, std::string_view behind);
@@ -87,7 +90,9 @@ class TokenStream {
   // --- messages -----------------------------------------------------------------------------------------------------
   [[noreturn]] void fail(const Location& at, std::string message, bool unsupported = false);
   [[noreturn]] void fail(const Location& at, std::string message, const Location& note_at, std::string note);
-  void warn(const Location& at, std::string message) { report(at, std::move(message), render::Diagnostic::Severity::warning); }
+  void warn(const Location& at, std::string message) {
+    report(at, std::move(message), render::Diagnostic::Severity::warning);
+  }
   void report(const Location& at, std::string message, render::Diagnostic::Severity severity);
   /// For messages: the token, and why it has no meaning if it is an undeclared name.
   std::string describe_next();

@@ -22,8 +22,8 @@ struct Macro;
 struct TokenFile;
 struct Unsupported;
 
-/// A vector of 2 to 5 numbers, or a single number (size 1). `is_color` records that it was made by a colour keyword, which
-/// decides what POV-Ray makes of it when it is declared.
+/// A vector of 2 to 5 numbers, or a single number (size 1). `is_color` records that it was made by a colour keyword,
+/// which decides what POV-Ray makes of it when it is declared.
 struct Numbers {
   std::array<double, 5> values{};
   std::uint8_t size = 1;
@@ -39,27 +39,28 @@ struct Material {
 };
 
 /// Anything that `#declare` can name. Heavy things are shared and immutable; a copy is cheap.
-using Value = std::variant<std::monostate,                              // declared but undefined
-                           Numbers,                                     // float, vector, colour
-                           std::string,                                 // string
-                           std::shared_ptr<Array>,                      // array (passed and copied by POV-Ray's rules)
-                           std::shared_ptr<const Macro>,                // macro
-                           std::shared_ptr<const render::Object>,       // any object or light_source
-                           std::shared_ptr<const render::Texture>,      // texture, its layers placed
-                           std::shared_ptr<const render::Pigment>,      // pigment
-                           std::shared_ptr<const render::Finish>,       // finish
-                           std::shared_ptr<const render::Interior>,     // interior
-                           std::shared_ptr<const Material>,             // material
-                           std::shared_ptr<const render::ColorMap>,     // color_map
-                           std::shared_ptr<const render::Camera>,       // camera
-                           std::shared_ptr<const render::Transform>,    // transform
-                           std::shared_ptr<const Unsupported>>;         // what cannot be rendered
+using Value = std::variant<std::monostate,                            // declared but undefined
+                           Numbers,                                   // float, vector, colour
+                           std::string,                               // string
+                           std::shared_ptr<Array>,                    // array (passed and copied by POV-Ray's rules)
+                           std::shared_ptr<const Macro>,              // macro
+                           std::shared_ptr<const render::Object>,     // any object or light_source
+                           std::shared_ptr<const render::Texture>,    // texture, its layers placed
+                           std::shared_ptr<const render::Pigment>,    // pigment
+                           std::shared_ptr<const render::Finish>,     // finish
+                           std::shared_ptr<const render::Interior>,   // interior
+                           std::shared_ptr<const Material>,           // material
+                           std::shared_ptr<const render::ColorMap>,   // color_map
+                           std::shared_ptr<const render::Camera>,     // camera
+                           std::shared_ptr<const render::Transform>,  // transform
+                           std::shared_ptr<const Unsupported>>;       // what cannot be rendered
 
 /// `array [2][3]`: elements in the order of the text; std::monostate where nothing has been stored. All elements are of
 /// one kind, that of the first one stored.
 struct Array {
   std::vector<std::uint32_t> sizes;
   std::vector<Value> elements;
+  std::size_t kind = 0;     ///< kind_of() its elements; 0 until the first is stored
   std::uint32_t depth = 1;  ///< 1, or more for arrays of arrays
 };
 

@@ -1,0 +1,193 @@
+// #if, #switch, #while, #for: what is skipped is jumped over by the links between the tokens of block directives.
+#include "parser/expression.h"
+#include "parser/interpreter.h"
+#include "parser/reader.h"
+
+#include <cmath>
+
+namespace firstlight::parser {
+
+namespace {
+
+std::string hash_word(const Token& word) { return "'#" + std::string(word.text) + "'"; }
+
+}  // namespace
+
+bool Interpreter::condition_holds() { return is_true(parse_condition(*this)); }
+
+void Interpreter::check_same_frame(std::size_t frames, const Token& word) {
+  unsettle();
+  if (frames_.size() != frames) {
+    fail(word.location,
+         "the parentheses behind " + hash_word(word) + " must close in the file or macro where they open");
+  }
+}
+
+// The index of the `#` of the `#end` of the block that `hash` belongs to.
+std::uint32_t Interpreter::end_of_block(std::uint32_t hash) const {
+  const std::vector<Token>& tokens = frames_.back().file->tokens;
+  do {
+    hash = tokens[hash].symbol;
+  } while (hash != kNoLink && !tokens[hash + 1].is(Keyword::end));
+  return hash;
+}
+
+void Interpreter::go_behind(std::uint32_t end) { frames_.back().position = end + 2; }
+
+void Interpreter::run_if(const Token& word, std::uint32_t hash) {
+  const std::size_t frames = frames_.size();
+  const bool named = word.is(Keyword::ifdef) || word.is(Keyword::ifndef);
+  bool holds = named ? parse_defined() == word.is(Keyword::ifdef) : condition_holds();
+  check_same_frame(frames, word);
+  const std::vector<Token>& tokens = frames_.back().file->tokens;
+  for (std::uint32_t branch = hash; !holds;) {
+    branch = tokens[branch].symbol;
+    const Token& next = tokens[branch + 1];
+    go_behind(branch);
+    if (next.is(Keyword::end)) return;
+    if (next.is(Keyword::elseif)) {
+      holds = condition_holds();
+      check_same_frame(frames, next);
+    } else if (next.is(Keyword::else_)) {
+      holds = true;
+    } else {
+      fail(next.location, hash_word(next) + " does not belong to " + hash_word(word), word.location,
+           hash_word(word) + " is here");
+    }
+  }
+  conditions_.push_back({.kind = Condition::Kind::if_, .frame = frames, .hash = hash});
+}
+
+// A branch begins where the one before it, which was read, ends.
+void Interpreter::run_further_branch(const Token& word, std::uint32_t hash) {
+  const bool of_if = word.is(Keyword::else_) || word.is(Keyword::elseif);
+  if (in_block() && conditions_.back().kind == Condition::Kind::if_ && of_if) {
+    go_behind(end_of_block(hash));
+    conditions_.pop_back();
+    return;
+  }
+  if (in_block() && conditions_.back().kind == Condition::Kind::switch_ && !word.is(Keyword::elseif)) {
+    // Without a #break, reading goes on into the next case.
+    const std::size_t frames = frames_.size();
+    if (!word.is(Keyword::else_)) case_applies(word.keyword, 0.0);
+    return check_same_frame(frames, word);
+  }
+  fail(word.location, of_if ? hash_word(word) + " without '#if'" : hash_word(word) + " without '#switch'");
+}
+
+bool Interpreter::case_applies(Keyword word, double value) {
+  if (word == Keyword::case_) return std::abs(parse_condition(*this) - value) < kSmallestTrue;
+  const auto [low, high] = parse_two_numbers(*this);
+  return value >= low && value <= high;
+}
+
+void Interpreter::run_switch(const Token& word, std::uint32_t hash) {
+  const std::size_t frames = frames_.size();
+  const double value = parse_condition(*this);
+  check_same_frame(frames, word);
+  const std::vector<Token>& tokens = frames_.back().file->tokens;
+  std::uint32_t branch = tokens[hash].symbol;
+  if (frames_.back().position != branch || tokens[branch + 1].is(Keyword::end)) {
+    fail(raw_next().location, "expected '#case' or '#range' after '#switch', found " + describe(raw_next()));
+  }
+  for (;; branch = tokens[branch].symbol) {
+    const Token& next = tokens[branch + 1];
+    go_behind(branch);
+    if (next.is(Keyword::end)) return;
+    if (next.is(Keyword::else_)) break;
+    if (next.is(Keyword::elseif)) fail(next.location, "'#elseif' without '#if'");
+    const bool applies = case_applies(next.keyword, value);
+    check_same_frame(frames, next);
+    if (applies) break;
+  }
+  conditions_.push_back({.kind = Condition::Kind::switch_, .frame = frames, .hash = hash});
+}
+
+void Interpreter::run_while(const Token& word, std::uint32_t hash) {
+  const std::size_t frames = frames_.size();
+  const bool holds = condition_holds();
+  check_same_frame(frames, word);
+  if (holds) {
+    conditions_.push_back({.kind = Condition::Kind::while_, .frame = frames, .hash = hash});
+  } else {
+    go_behind(end_of_block(hash));
+  }
+}
+
+void Interpreter::run_for(const Token& word, std::uint32_t hash) {
+  const std::size_t frames = frames_.size();
+  Reader reader(*this);
+  Condition loop;
+  loop.kind = Condition::Kind::for_;
+  loop.frame = frames;
+  loop.hash = hash;
+  expect(Punctuation::left_paren, "after '#for'");
+  const Token name = take_identifier("for the loop's variable");
+  loop.variable = scopes_.target(name.symbol, true);
+  reader.skip_comma();
+  Numbers start;
+  start.values[0] = reader.number();
+  reader.skip_comma();
+  loop.end = reader.number();
+  reader.skip_comma();
+  const Token at = peek();
+  loop.step = reader.at_expression() ? reader.number() : 1.0;
+  if (!(std::abs(loop.step) >= kSmallestTrue))
+    fail(at.location, "expected a step that is not 0 for '#for', found " + describe(at));
+  expect(Punctuation::right_paren, "to close '#for'");
+  check_same_frame(frames, word);
+  loop.body = frames_.back().position;
+  *loop.variable = start;
+  if (for_continues(loop)) {
+    conditions_.push_back(loop);
+  } else {
+    go_behind(end_of_block(hash));
+  }
+}
+
+bool Interpreter::for_continues(const Condition& loop) const {
+  const double value = std::get<Numbers>(*loop.variable).values[0];
+  return loop.step > 0.0 ? value <= loop.end + kSmallestTrue : value >= loop.end - kSmallestTrue;
+}
+
+void Interpreter::run_end(const Token& word, std::uint32_t hash) {
+  if (!in_block()) fail(word.location, "'#end' without '#if', '#switch', '#while', '#for' or '#macro'");
+  Condition& block = conditions_.back();
+  const bool is_loop = block.kind == Condition::Kind::while_ || block.kind == Condition::Kind::for_;
+  if (is_loop && turn_again(block, word)) return;
+  if (is_loop) go_behind(hash);
+  conditions_.pop_back();
+}
+
+bool Interpreter::turn_again(Condition& loop, const Token& word) {
+  count_step(word.location);
+  if (loop.kind == Condition::Kind::while_) {
+    const std::size_t frames = frames_.size();
+    go_behind(loop.hash);
+    const bool holds = condition_holds();
+    check_same_frame(frames, word);
+    return holds;
+  }
+  auto* number = std::get_if<Numbers>(loop.variable.get());
+  if (number == nullptr || number->size != 1) {
+    fail(word.location, "expected the variable of '#for' to be a float at the end of the loop, found " +
+                            std::string(kind_name(*loop.variable)));
+  }
+  number->values[0] += loop.step;
+  if (!for_continues(loop)) return false;
+  // The text behind the closing parenthesis was found when the loop began.
+  frames_.back().position = loop.body;
+  return true;
+}
+
+void Interpreter::run_break(const Token& word) {
+  while (in_block()) {
+    const Condition block = conditions_.back();
+    conditions_.pop_back();
+    if (block.kind != Condition::Kind::if_) return go_behind(end_of_block(block.hash));
+  }
+  if (frames_.back().macro == nullptr) fail(word.location, "'#break' outside of a loop, '#switch' or macro");
+  frames_.back().position = frames_.back().end;  // leaves the macro
+}
+
+}  // namespace firstlight::parser

@@ -1,0 +1,190 @@
+// #declare and #local, and the values that they and macro calls take.
+#include "parser/expression.h"
+#include "parser/interpreter.h"
+#include "parser/reader.h"
+#include "parser/string_expression.h"
+
+#include <utility>
+
+namespace firstlight::parser {
+
+namespace {
+
+// Values that can be declared but not rendered.
+bool declares_something(Keyword word) {
+  switch (word) {
+    case Keyword::function:
+    case Keyword::normal:
+    case Keyword::spline:
+    case Keyword::pigment_map:
+    case Keyword::normal_map:
+    case Keyword::slope_map:
+    case Keyword::texture_map:
+    case Keyword::density_map:
+    case Keyword::density:
+    case Keyword::media:
+    case Keyword::fog:
+    case Keyword::rainbow:
+    case Keyword::sky_sphere:
+      return true;
+    default:
+      return false;
+  }
+}
+
+std::string not_supported(const Token& word) {
+  return "'" + std::string(word.text) + "' is not supported by this version of Firstlight";
+}
+
+Numbers as_numbers(const render::FilteredColor& color) {
+  Numbers numbers;
+  numbers.values = {color.rgb.x, color.rgb.y, color.rgb.z, color.filter, color.transmit};
+  numbers.size = 5;
+  numbers.is_color = true;
+  return numbers;
+}
+
+// POV-Ray keeps colours, and so every declared value of five components, in single precision.
+void round_color(Numbers& numbers) {
+  if (numbers.size < 5) return;
+  numbers.is_color = true;
+  for (double& value : numbers.values) value = static_cast<float>(value);
+}
+
+}  // namespace
+
+Interpreter::Target Interpreter::parse_target(const Token& word) {
+  Target target;
+  const std::string behind = "after '#" + std::string(word.text) + "'";
+  if (raw_next().is(Keyword::deprecated)) {
+    take_raw();
+    if (raw_next().is(Keyword::once)) take_raw();
+    if (raw_next().kind == TokenKind::string) take_raw();
+  }
+  target.name = take_identifier(behind);
+  const Scopes::Binding* binding = scopes_.find(target.name.symbol);
+  if (binding != nullptr && std::holds_alternative<std::shared_ptr<const Macro>>(*binding->slot)) {
+    fail(target.name.location,
+         "expected an identifier " + behind + ", found the macro '" + std::string(target.name.text) + "'");
+  }
+  if (binding != nullptr && raw_next().is(Punctuation::left_bracket)) {
+    const Scopes::Slot slot = binding->slot;
+    if (const auto* array = std::get_if<std::shared_ptr<Array>>(slot.get())) {
+      target.array = *array;
+      target.slot = pick_element(slot, target.name, true);
+      return target;
+    }
+  }
+  target.slot = scopes_.target(target.name.symbol, word.is(Keyword::local));
+  return target;
+}
+
+void Interpreter::run_declare(const Token& word, bool after_hash) {
+  unsettle();
+  const Target target = parse_target(word);
+  const std::string name(target.name.text);
+  const Hold hold(*this);
+  expect(Punctuation::equal, "after '" + name + "'");
+  Argument argument = parse_argument(false);
+  if (!peek().is(Punctuation::semicolon) && argument.needs_semicolon) {
+    const std::string message = "expected ';' after the value of '" + name + "', found " + describe_next();
+    if (language_version() >= 350) fail(peek().location, message, word.location, "the declaration is here");
+    if (language_version() >= 310) warn(peek().location, message);
+  }
+  if (target.array) check_element(*target.array, argument.value, target.name.location);
+  *target.slot = std::move(argument.value);
+  if (peek().is(Punctuation::semicolon) && (after_hash || argument.needs_semicolon)) take();
+}
+
+// A value as it may be declared or handed to a macro. A name alone is handed on by reference, if the macro's caller has
+// it.
+Interpreter::Argument Interpreter::parse_argument(bool parameter) {
+  const Nesting nesting(*this);
+  const std::uint32_t caller = scopes_.current();
+  Argument result;
+  Token first;
+  Scopes::Binding name;
+  {
+    const Release release(*this);
+    first = peek();
+    if (first.kind == TokenKind::identifier) {
+      if (peek_value() == nullptr) {
+        fail(first.location, "expected a value, found " + describe_next());
+      }
+      name = peek_binding();
+    }
+  }
+  const bool by_reference = parameter && name.slot && name.scope <= caller;
+  if (name.slot && !std::holds_alternative<Numbers>(*name.slot)) {
+    take_binding();
+    if (by_reference) {
+      result.reference = name.slot;
+    } else {
+      result.value = copy_of(*name.slot);
+    }
+    return result;
+  }
+  if (word_kind(first.keyword) == WordKind::color) {
+    const Hold hold(*this);
+    result.value = as_numbers(parse_color(*this));
+    result.needs_semicolon = true;
+    return result;
+  }
+  if (at_expression(*this)) {
+    const Hold hold(*this);
+    const std::uint64_t before = taken();
+    Numbers numbers = parse_sum(*this, 1);
+    result.needs_semicolon = true;
+    if (by_reference && taken() == before + 1) {
+      result.reference = name.slot;
+    } else {
+      round_color(numbers);
+      result.value = numbers;
+    }
+    return result;
+  }
+  const Release release(*this);
+  if (at_string(*this)) {
+    result.value = parse_string(*this);
+  } else if (first.is(Keyword::array)) {
+    take();
+    result.value = parse_array();
+  } else {
+    result.value = parse_statement_value(first);
+  }
+  return result;
+}
+
+Value Interpreter::parse_statement_value(const Token& first) {
+  const Checkpoint start = checkpoint();
+  const std::size_t conditions = conditions_.size();
+  if (declares_something(first.keyword)) return store_unparsed(start, first, not_supported(first));
+  Reader reader(*this);
+  try {
+    if (std::optional<Value> value = parse_declarable(reader, context_)) return std::move(*value);
+  } catch (const SyntaxError& error) {
+    if (!error.unsupported || first.kind != TokenKind::keyword || conditions_.size() < conditions) throw;
+    conditions_.resize(conditions);
+    return store_unparsed(start, first, error.diagnostics.front().message);
+  }
+  fail(peek().location, "expected a value, found " + describe_next());
+}
+
+// Passes over `word ... { }`, and further layers if it is a texture.
+Value Interpreter::store_unparsed(const Checkpoint& start, const Token& word, std::string why) {
+  return_to(start);
+  do {
+    int depth = 0;
+    do {
+      const Token& token = raw_next();
+      if (frames_.back().position >= frames_.back().end) fail(word.location, std::move(why), true);
+      if (token.is(Punctuation::left_brace)) ++depth;
+      if (token.is(Punctuation::right_brace) && --depth == 0) break;
+      take_raw();
+    } while (true);
+    take_raw();
+  } while (word.is(Keyword::texture) && raw_next().is(Keyword::texture));
+  return std::make_shared<const Unsupported>(Unsupported{word, std::move(why)});
+}
+
+}  // namespace firstlight::parser

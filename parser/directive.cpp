@@ -1,0 +1,304 @@
+#include "parser/expression.h"
+#include "parser/interpreter.h"
+#include "parser/reader.h"
+#include "parser/string_expression.h"
+
+#include <array>
+#include <utility>
+
+namespace firstlight::parser {
+
+using render::Diagnostic;
+
+namespace {
+
+bool parse_predefined(const std::string& text, Numbers& number) {
+  Symbols none;
+  SourceFile source;
+  source.text = text;
+  source.line_starts = {0};
+  const std::size_t start = !text.empty() && text[0] == '-' ? 1 : 0;
+  source.text = text.substr(start);
+  try {
+    const TokenFile file = tokenize(source, none);
+    if (file.tokens.size() != 2 || file.tokens[0].kind != TokenKind::number) return false;
+    number.values[0] = start == 1 ? -file.tokens[0].number : file.tokens[0].number;
+  } catch (const SyntaxError&) {
+    return false;
+  }
+  return true;
+}
+
+Value make_number(double value) {
+  Numbers number;
+  number.values[0] = value;
+  return number;
+}
+
+}  // namespace
+
+Interpreter::Interpreter(const render::LoadOptions& options, render::Diagnostics& diagnostics, SceneContext& context)
+    : TokenStream(options, diagnostics), context_(context) {
+  const auto declare = [this](std::string_view name, Value value) {
+    *scopes_.target(symbols_.intern(name), false) = std::move(value);
+  };
+  declare("image_width", make_number(options.width));
+  declare("image_height", make_number(options.height));
+  // A still picture is no frame of an animation: POV-Ray gives 0 for all of these.
+  for (const char* name :
+       {"frame_number", "initial_frame", "final_frame", "initial_clock", "final_clock", "clock_delta"}) {
+    declare(name, make_number(0.0));
+  }
+  for (const auto& [name, text] : options.declares) {
+    Numbers number;
+    if (parse_predefined(text, number)) {
+      declare(name, number);
+    } else {
+      const bool quoted = text.size() >= 2 && text.front() == '"' && text.back() == '"';
+      declare(name, quoted ? text.substr(1, text.size() - 2) : text);
+    }
+  }
+}
+
+void Interpreter::open_scene(const std::string& path) {
+  const SourceFiles::Result result = files_.read_scene(path, options_.library_paths);
+  if (result.status == SourceFiles::Status::found) {
+    const TokenFile& file = tokens_of(*result.file);
+    Frame frame;
+    frame.file = &file;
+    frame.end = static_cast<std::uint32_t>(file.tokens.size() - 1);
+    enter_frame(std::move(frame));
+    return;
+  }
+  Diagnostic error;
+  error.file = path;
+  switch (result.status) {
+    case SourceFiles::Status::missing:
+      error.message = "there is no such file";
+      break;
+    case SourceFiles::Status::too_large:
+      error.message = "the file is too large (limit " + std::to_string(SourceFiles::kLargestFile >> 20) + " MiB)";
+      break;
+    default:
+      error.message = "the file cannot be read";
+      break;
+  }
+  throw SyntaxError({error});
+}
+
+const TokenFile& Interpreter::tokens_of(const SourceFile& file) {
+  if (file.index >= token_files_.size()) token_files_.resize(file.index + 1);
+  std::unique_ptr<TokenFile>& slot = token_files_[file.index];
+  if (!slot) slot = std::make_unique<TokenFile>(tokenize(file, symbols_));
+  return *slot;
+}
+
+void Interpreter::count_step(const Location& at) {
+  if (++steps_ > kMostSteps) {
+    fail(at,
+         "this scene turns in loops or macros without end (limit " + std::to_string(kMostSteps) + " turns and calls)");
+  }
+}
+
+void Interpreter::run_directive() {
+  const std::uint32_t hash = frames_.back().position;
+  take_raw();
+  const Token word = take_raw();
+  obey(word, hash);
+}
+
+void Interpreter::obey(const Token& word, std::uint32_t hash) {
+  switch (word.keyword) {
+    case Keyword::declare:
+    case Keyword::local:
+      return run_declare(word, true);
+    case Keyword::undef:
+      return run_undef();
+    case Keyword::if_:
+    case Keyword::ifdef:
+    case Keyword::ifndef:
+      return run_if(word, hash);
+    case Keyword::else_:
+    case Keyword::elseif:
+    case Keyword::case_:
+    case Keyword::range:
+      return run_further_branch(word, hash);
+    case Keyword::switch_:
+      return run_switch(word, hash);
+    case Keyword::while_:
+      return run_while(word, hash);
+    case Keyword::for_:
+      return run_for(word, hash);
+    case Keyword::end:
+      return run_end(word, hash);
+    case Keyword::break_:
+      return run_break(word);
+    case Keyword::macro:
+      return define_macro(hash);
+    case Keyword::include:
+      return run_include(word);
+    case Keyword::version:
+      return run_version(word, hash == 0 && frames_.size() == 1);
+    case Keyword::default_: {
+      Reader reader(*this);
+      return parse_default(reader, context_);
+    }
+    case Keyword::debug:
+    case Keyword::warning:
+    case Keyword::error:
+    case Keyword::render:
+    case Keyword::statistics:
+      return run_message(word);
+    case Keyword::fopen:
+    case Keyword::fclose:
+    case Keyword::read:
+    case Keyword::write:
+      fail(word.location, "'#" + std::string(word.text) + "' is not supported by this version of Firstlight");
+    default:
+      fail(word.location, "expected a directive after '#', found " + describe(word));
+  }
+}
+
+void Interpreter::run_bare_directive() {
+  const Token word = take();
+  warn(word.location, "'" + std::string(word.text) + "' should be written '#" + std::string(word.text) + "'");
+  const Nesting nesting(*this);
+  switch (word.keyword) {
+    case Keyword::declare:
+      return run_declare(word, false);
+    case Keyword::include:
+      return run_include(word);
+    case Keyword::version:
+      return run_version(word, false);
+    default:
+      fail(word.location, "expected a directive, found " + describe(word));
+  }
+}
+
+void Interpreter::run_version(const Token& word, bool first) {
+  Reader reader(*this);
+  const Hold hold(*this);
+  if (peek().kind == TokenKind::identifier && peek().text == "unofficial") take_binding();
+  const Token at = peek();
+  const double version = reader.number();
+  if (!(version >= 1.0 && version * 100.0 + 0.5 < LanguageState::kNewest + 1)) {
+    fail(at.location, "expected a version of the language from 1.0 to 3.7, found " + describe(at));
+  }
+  language_.set_version(static_cast<int>(version * 100.0 + 0.5), first);
+  if (peek().is(Punctuation::semicolon)) {
+    take();
+  } else if (language_.version() >= 310) {
+    warn(word.location, "expected ';' at the end of '#version', found " + describe_next());
+  }
+}
+
+void Interpreter::run_message(const Token& word) {
+  if (word.is(Keyword::render) || word.is(Keyword::statistics)) {
+    warn(word.location, "'#" + std::string(word.text) + "' writes where '#debug' does");
+  }
+  std::string text = parse_string(*this);
+  if (word.is(Keyword::error)) fail(word.location, "stopped by '#error': " + text);
+  report(word.location, std::move(text),
+         word.is(Keyword::warning) ? Diagnostic::Severity::warning : Diagnostic::Severity::debug);
+}
+
+void Interpreter::run_undef() {
+  const Token name = take_identifier("after '#undef'");
+  const Scopes::Binding* binding = scopes_.find(name.symbol);
+  if (binding == nullptr) {
+    warn(name.location, "'" + std::string(name.text) + "' is not declared, so '#undef' changes nothing");
+    return;
+  }
+  const Scopes::Slot slot = binding->slot;
+  if (std::holds_alternative<std::shared_ptr<Array>>(*slot) && raw_next().is(Punctuation::left_bracket)) {
+    *pick_element(slot, name, true) = std::monostate();
+  } else {
+    scopes_.remove(name.symbol);
+  }
+}
+
+void Interpreter::run_include(const Token& word) {
+  // A file's name is taken as it stands: a backslash in it is no escape.
+  const Token at = peek();
+  const std::string name = at.kind == TokenKind::string ? std::string(take().text) : parse_string(*this);
+  unsettle();
+  const SourceFile& from = *frames_.back().file->source;
+  const SourceFiles::Result result = files_.read_include(name, from);
+  switch (result.status) {
+    case SourceFiles::Status::found:
+      break;
+    case SourceFiles::Status::missing:
+      fail(at.location,
+           "there is no include file '" + name + "' in the current folder, the scene's or the library folders");
+    case SourceFiles::Status::forbidden:
+      fail(at.location, "'" + result.path +
+                            "' may not be read: a scene may read files of its own folder, the current folder, " +
+                            "the library folders and the standard includes only");
+    case SourceFiles::Status::too_large:
+      fail(at.location,
+           "'" + result.path + "' is too large (limit " + std::to_string(SourceFiles::kLargestFile >> 20) + " MiB)");
+    case SourceFiles::Status::unreadable:
+      fail(at.location, "'" + result.path + "' cannot be read");
+  }
+  if (result.other_case) {
+    warn(at.location,
+         "there is no file '" + name + "'; '" + result.path + "' is read, whose name differs in upper and lower case");
+  }
+  std::size_t depth = 0;
+  for (const Frame& frame : frames_) depth += frame.macro == nullptr;
+  if (depth > kDeepestInclude) {
+    fail(word.location, "included files are nested too deeply here (limit " + std::to_string(kDeepestInclude) + ")");
+  }
+  const TokenFile& file = tokens_of(*result.file);
+  Frame frame;
+  frame.file = &file;
+  frame.end = static_cast<std::uint32_t>(file.tokens.size() - 1);
+  frame.call = at.location;
+  enter_frame(std::move(frame));
+}
+
+bool Interpreter::file_exists(const std::string& name) const {
+  return files_.exists(name, *frames_.back().file->source);
+}
+
+Token Interpreter::take_identifier(std::string_view behind) {
+  unsettle();
+  const Token name = take_raw();
+  if (name.kind == TokenKind::identifier) return name;
+  const std::string found = name.kind == TokenKind::keyword ? "the reserved word " + describe(name) : describe(name);
+  fail(name.location, "expected an identifier " + std::string(behind) + ", found " + found);
+}
+
+bool Interpreter::parse_defined() {
+  expect(Punctuation::left_paren, "before the name");
+  unsettle();
+  const Token name = take_raw();
+  if (name.kind != TokenKind::identifier && name.kind != TokenKind::keyword) {
+    fail(name.location, "expected an identifier, found " + describe(name));
+  }
+  const Scopes::Binding* binding = name.kind == TokenKind::identifier ? scopes_.find(name.symbol) : nullptr;
+  bool result = binding != nullptr;
+  if (result && raw_next().is(Punctuation::left_bracket)) {
+    const Scopes::Slot slot = binding->slot;
+    if (std::holds_alternative<std::shared_ptr<Array>>(*slot)) {
+      result = !std::holds_alternative<std::monostate>(*pick_element(slot, name, true));
+    }
+  }
+  expect(Punctuation::right_paren, "behind the name");
+  return result;
+}
+
+void Interpreter::finish() {
+  const Location end = peek().location;
+  if (!language_.version_stated()) {
+    warn(end,
+         "no '#version' in this scene: it is read as one for POV-Ray 3.7, but without gamma correction, as before 3.7");
+  } else if (!language_.gamma_stated()) {
+    warn(end, language_.effective_version() < 370
+                  ? "no 'assumed_gamma' in this scene for a version before 3.7: there is no gamma correction"
+                  : "no 'assumed_gamma' in this scene: it is taken to be 1.0");
+  }
+  language_.store(context_.builder.settings());
+}
+
+}  // namespace firstlight::parser

@@ -1,0 +1,49 @@
+#include "parser/parser.h"
+
+#include "parser/interpreter.h"
+#include "parser/reader.h"
+#include "parser/statements.h"
+
+#include <exception>
+
+namespace firstlight::parser {
+
+namespace {
+
+// Adds messages that end the parse; those that came before are in `diagnostics` already.
+void add(render::Diagnostics& diagnostics, const render::LoadOptions& options, render::Diagnostics messages) {
+  for (render::Diagnostic& message : messages) {
+    if (options.report) options.report(message);
+    diagnostics.push_back(std::move(message));
+  }
+}
+
+}  // namespace
+
+render::LoadResult PovFrontEnd::load(const std::string& path, const render::LoadOptions& options) const {
+  render::LoadResult result;
+  render::Diagnostic failure;
+  failure.file = path;
+  try {
+    render::SceneBuilder builder;
+    SceneContext context(builder);
+    Interpreter interpreter(options, result.diagnostics, context);
+    Reader reader(interpreter);
+    interpreter.open_scene(path);
+    parse_scene(reader, context);
+    interpreter.finish();
+    result.scene = builder.build();
+    return result;
+  } catch (const SyntaxError& error) {
+    add(result.diagnostics, options, error.diagnostics);
+  } catch (const std::bad_alloc&) {
+    failure.message = "there is not enough memory for this scene";
+    add(result.diagnostics, options, {failure});
+  } catch (const std::exception& error) {
+    failure.message = std::string("the scene cannot be read: ") + error.what();
+    add(result.diagnostics, options, {failure});
+  }
+  return result;
+}
+
+}  // namespace firstlight::parser

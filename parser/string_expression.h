@@ -1,0 +1,21 @@
+#pragma once
+
+#include <string>
+
+namespace firstlight::parser {
+
+class Interpreter;
+
+// Strings are UTF-8; lengths and places in them count characters.
+
+/// Whether a string expression begins here: a literal, a string function, or an identifier that holds a string.
+bool at_string(Interpreter& in);
+std::string parse_string(Interpreter& in);
+/// Characters in `text`.
+std::size_t length_of(const std::string& text);
+/// The code of the first character, 0 for an empty string.
+unsigned first_code_of(const std::string& text);
+/// The number that `text` begins with, 0 when it begins with none.
+double value_of(const std::string& text);
+
+}  // namespace firstlight::parser
