@@ -3,6 +3,7 @@
 #include "render/scene/texture_table.h"
 
 #include <algorithm>
+#include <cstddef>
 #include <optional>
 #include <utility>
 
@@ -108,6 +109,7 @@ struct SceneBuilder::State {
   void link(const Object& object, const Inherited& parent);
   std::optional<Solid> freeze(const Object& object, const Inherited& parent, bool top_level);
   void add_part(Solid& solid, const Inherited& leaf);
+  void order_solids();
 };
 
 /// What holds at `object`: its own where it has it, else its parent's.
@@ -206,6 +208,18 @@ void SceneBuilder::State::add_part(Solid& solid, const Inherited& leaf) {
   scene->parts.push_back(std::move(part));
 }
 
+/// Of two surfaces in one place the lower index shows. That is the order of the scene text, but POV-Ray meets unbounded
+/// objects before all others as soon as it uses its bounding hierarchy: from three objects and lights on.
+void SceneBuilder::State::order_solids() {
+  constexpr std::size_t kBoundingThreshold = 3;
+  constexpr double kUnboundedVolume = 2e10;
+  if (scene->solids.size() + scene->lights.size() < kBoundingThreshold) return;
+  std::stable_partition(scene->solids.begin(), scene->solids.end(), [](const Solid& solid) {
+    const Vec3 size = solid.box.size();
+    return !(size.x * size.y * size.z <= kUnboundedVolume);
+  });
+}
+
 SceneBuilder::SceneBuilder() : state_(std::make_unique<State>()) {}
 SceneBuilder::~SceneBuilder() = default;
 SceneBuilder::SceneBuilder(SceneBuilder&&) noexcept = default;
@@ -229,6 +243,7 @@ void SceneBuilder::add(Object object, TexturePtr default_texture) {
 std::size_t SceneBuilder::object_count() const { return state_->scene->solids.size(); }
 
 std::unique_ptr<const Scene> SceneBuilder::build() {
+  state_->order_solids();
   state_->scene->textures = state_->textures.take();
   std::unique_ptr<const Scene> scene = std::move(state_->scene);
   state_ = std::make_unique<State>();

@@ -83,6 +83,18 @@ TEST(SceneBuilder, DissolvesUnionsInTheOrderOfTheirMembers) {
   EXPECT_EQ(scene->parts[3].object, 1u);
 }
 
+TEST(SceneBuilder, UnboundedObjectsComeFirstFromThreeObjectsOn) {
+  Object plane;
+  plane.shape = make_plane({0.0, 1.0, 0.0}, 0.0);
+  const auto two = scene_of({sphere_at(1), plane});
+  EXPECT_NEAR(middle_x(two->solids[0]), 1.0, 1e-6);
+  const auto three = scene_of({sphere_at(1), sphere_at(2), plane});
+  EXPECT_EQ(three->solids[0].part, 2u);
+  EXPECT_EQ(three->solids[1].part, 0u);
+  EXPECT_EQ(three->solids[2].part, 1u);
+  EXPECT_EQ(scene_of({sphere_at(1), plane, light_at(1)})->solids[0].part, 1u) << "lights count";
+}
+
 TEST(SceneBuilder, KeepsAUnionThatIsClippedOrBounded) {
   Object clipped = union_of({sphere_at(1), sphere_at(2)});
   clipped.clipped_by = list({sphere_at(0, 9)});
