@@ -9,11 +9,12 @@
 
 namespace firstlight::priority {
 
-/// The paper's scene: a sphere-flake in a room of mirrors, three lights; with glass on some of the spheres, so that all kinds of
-/// rays occur.
+/// The paper's scene: a sphere-flake in a room of mirrors, three lights; with glass on some of the spheres, so that all
+/// kinds of rays occur.
 class MirrorRoom {
  public:
-  /// `depth`: generations of the flake, each sphere bearing nine smaller ones. `glass`: every how manieth sphere; 0: none.
+  /// `depth`: generations of the flake, each sphere bearing nine smaller ones. `glass`: every how manieth sphere; 0:
+  /// none.
   explicit MirrorRoom(int depth, int glass = 3, int max_trace_level = 5);
 
   const render::Scene& scene() const { return *scene_; }

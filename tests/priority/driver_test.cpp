@@ -1,0 +1,160 @@
+#include "priority/driver.h"
+
+#include "priority/block_pool.h"
+#include "priority/schemes.h"
+#include "tests/priority/mirror_room.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <atomic>
+#include <limits>
+#include <new>
+#include <span>
+#include <vector>
+
+namespace firstlight::priority {
+namespace {
+
+constexpr int kWidth = 83;  // no multiple of the tiles
+constexpr int kHeight = 61;
+
+struct Rendered {
+  std::vector<render::Rgb> colors;
+  TraceResult result;
+};
+
+Rendered render_with(MirrorRoom& room, std::string_view scheme_name, int threads, TraceOptions options = {}) {
+  const SchemeRow* const row = find_scheme(scheme_name);
+  const auto scheme = row->make != nullptr ? row->make({kWidth, kHeight, 5}) : nullptr;
+  options.scheme = scheme.get();
+  options.threads = threads;
+  render::Film film(kWidth, kHeight);
+  Rendered rendered;
+  rendered.result = trace(room.context(), film, options);
+  rendered.colors = film.snapshot();
+  return rendered;
+}
+
+TEST(Driver, EverySchemeAndThreadCountEndsInTheSamePicture) {
+  MirrorRoom room(/*depth=*/2);
+  const Rendered reference = render_with(room, "recursive", 1);
+  ASSERT_TRUE(reference.result.complete) << reference.result.error;
+  const render::RayCounts& rays = reference.result.statistics.rays;
+  ASSERT_EQ(rays.of(render::RayKind::primary), static_cast<std::uint64_t>(kWidth * kHeight));
+  ASSERT_GT(rays.of(render::RayKind::reflection), 1000u);
+  ASSERT_GT(rays.of(render::RayKind::transmission), 100u);
+  ASSERT_GT(rays.of(render::RayKind::shadow), 1000u);
+  for (const SchemeRow& row : schemes()) {
+    for (const int threads : {1, 2, 3, 8}) {
+      const Rendered other = render_with(room, row.name, threads);
+      EXPECT_TRUE(other.result.complete) << other.result.error;
+      EXPECT_TRUE(other.colors == reference.colors) << row.name << ", " << threads << " threads";
+      EXPECT_EQ(other.result.statistics.rays.by_kind, rays.by_kind) << row.name << ", " << threads << " threads";
+    }
+  }
+}
+
+TEST(Driver, AQueueBudgetIsKeptAndThePictureIsTheSame) {
+  MirrorRoom room(/*depth=*/2);
+  const Rendered reference = render_with(room, "recursive", 1);
+  for (const std::size_t blocks : {1, 20}) {
+    TraceOptions options;
+    options.queue_budget = blocks * BlockPool::kBlockBytes;
+    for (const char* scheme : {"contribution", "level"}) {
+      const Rendered bounded = render_with(room, scheme, 2, options);
+      EXPECT_TRUE(bounded.colors == reference.colors) << scheme;
+      // What one step of each worker spawns may open a block for each of its keys before the budget is looked at again.
+      EXPECT_LE(bounded.result.statistics.peak_bytes, (blocks + 2 * 200) * BlockPool::kBlockBytes) << scheme;
+    }
+  }
+}
+
+TEST(Driver, StatisticsDescribeTheQueue) {
+  MirrorRoom room(/*depth=*/1);
+  const TraceStatistics queued = render_with(room, "contribution", 1).result.statistics;
+  EXPECT_GT(queued.peak_rays, 0u);
+  EXPECT_GE(queued.peak_bytes, queued.peak_rays * queued.bytes_per_ray);
+  EXPECT_LE(queued.peak_rays, queued.worst_case_rays);
+  EXPECT_EQ(queued.bytes_per_ray, 64u);
+  EXPECT_TRUE(queued.first_image.has_value());
+  const TraceStatistics recursive = render_with(room, "recursive", 1).result.statistics;
+  EXPECT_EQ(recursive.peak_rays, 0u);
+  EXPECT_TRUE(recursive.first_image.has_value());
+}
+
+TEST(Driver, WorstCaseIsThePapersFormulaAndSaturates) {
+  EXPECT_EQ(worst_case_rays(10, 3, 5), 10u * 3u * 63u);
+  EXPECT_EQ(worst_case_rays(10, 0, 1), 30u);
+  constexpr std::uint64_t kMost = std::numeric_limits<std::uint64_t>::max();
+  EXPECT_EQ(worst_case_rays(1, 1, 62), (std::uint64_t{1} << 63) - 1);
+  EXPECT_EQ(worst_case_rays(1, 1, 63), kMost);
+  EXPECT_EQ(worst_case_rays(1000, 1000, 61), kMost);
+}
+
+TEST(Driver, StopsWhenAskedTo) {
+  MirrorRoom room(/*depth=*/2);
+  const std::atomic<bool> stop = true;
+  TraceOptions options;
+  options.stop = &stop;
+  for (const char* scheme : {"contribution", "recursive"}) {
+    const Rendered stopped = render_with(room, scheme, 2, options);
+    EXPECT_FALSE(stopped.result.complete) << scheme;
+    EXPECT_EQ(stopped.result.error, "") << scheme;
+    EXPECT_EQ(stopped.result.statistics.rays.total(), 0u) << scheme;
+  }
+}
+
+/// Asks for an end when the first image is there.
+struct StopAtFirstImage final : Observer {
+  void first_image(const Progress& progress) override {
+    ++calls;
+    EXPECT_EQ(progress.tiles_done, progress.tiles);
+    stop.store(true);
+  }
+  int calls = 0;
+  std::atomic<bool> stop = false;
+};
+
+TEST(Driver, TellsOfTheFirstImageOnce) {
+  MirrorRoom room(/*depth=*/1);
+  for (const char* scheme : {"contribution", "recursive"}) {
+    StopAtFirstImage observer;
+    TraceOptions options;
+    options.observer = &observer;
+    options.stop = &observer.stop;
+    const Rendered rendered = render_with(room, scheme, 2, options);
+    EXPECT_EQ(observer.calls, 1) << scheme;
+    EXPECT_TRUE(rendered.result.statistics.first_image.has_value()) << scheme;
+  }
+}
+
+/// A scheme that fails in the middle of the work.
+class Failing final : public Scheme {
+ public:
+  std::string_view name() const override { return "failing"; }
+  void keys(std::span<const render::RayTask>, std::span<Key> keys) const override {
+    if (++calls_ == 10) throw std::bad_alloc();
+    std::ranges::fill(keys, Key{1});
+  }
+
+ private:
+  mutable std::atomic<int> calls_ = 0;
+};
+
+TEST(Driver, AFailureInAWorkerEndsInAMessage) {
+  MirrorRoom room(/*depth=*/1);
+  for (const int threads : {1, 3}) {
+    const Failing scheme;
+    TraceOptions options;
+    options.scheme = &scheme;
+    options.threads = threads;
+    render::Film film(kWidth, kHeight);
+    const TraceResult result = trace(room.context(), film, options);
+    EXPECT_FALSE(result.complete);
+    EXPECT_EQ(result.error, "not enough memory");
+  }
+}
+
+}  // namespace
+}  // namespace firstlight::priority

@@ -1,0 +1,216 @@
+#include "priority/ray_queue.h"
+
+#include "priority/open_blocks.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <memory>
+#include <random>
+#include <set>
+#include <thread>
+#include <vector>
+
+namespace firstlight::priority {
+namespace {
+
+using render::RayKind;
+using render::RayTask;
+
+RayTask task_of(std::uint32_t sample) {
+  RayTask task;
+  task.origin = render::Vec3(0.0);
+  task.weight = render::Rgb(1.0f);
+  task.sample = sample;
+  return task;
+}
+
+/// A queue for one worker, on the heap for its size.
+struct Bench {
+  BlockPool pool;
+  std::unique_ptr<RayQueue> queue = std::make_unique<RayQueue>(pool, 1);
+
+  Block* block(std::uint32_t count, std::uint32_t first_sample = 0) {
+    Block* const out = pool.acquire();
+    for (std::uint32_t i = 0; i < count; ++i) out->tasks[out->count++] = task_of(first_sample + i);
+    return out;
+  }
+};
+
+TEST(SlotSet, FindsTheLargestMember) {
+  std::mt19937 random(7);
+  SlotSet set;
+  std::set<Slot> expected;
+  EXPECT_EQ(set.top(), kNoSlot);
+  for (int i = 0; i < 20000; ++i) {
+    const Slot slot = static_cast<Slot>(random() % kSlots);
+    if (random() % 2 == 0) {
+      set.insert(slot);
+      expected.insert(slot);
+    } else {
+      set.erase(slot);
+      expected.erase(slot);
+    }
+    ASSERT_EQ(set.top(), expected.empty() ? kNoSlot : static_cast<int>(*expected.rbegin()));
+  }
+}
+
+TEST(BlockPool, CountsWhatIsInUseAndItsPeak) {
+  BlockPool pool;
+  std::vector<Block*> blocks;
+  for (int i = 0; i < 100; ++i) blocks.push_back(pool.acquire());
+  EXPECT_EQ(pool.bytes(), 100 * BlockPool::kBlockBytes);
+  EXPECT_EQ(std::set<RayTask*>([&] {
+              std::set<RayTask*> places;
+              for (const Block* block : blocks) places.insert(block->tasks);
+              return places;
+            }())
+                .size(),
+            100u);
+  for (Block* block : blocks) pool.release(block);
+  EXPECT_EQ(pool.bytes(), 0u);
+  for (int i = 0; i < 50; ++i) pool.acquire();
+  EXPECT_EQ(pool.bytes(), 50 * BlockPool::kBlockBytes);
+  EXPECT_EQ(pool.peak_bytes(), 100 * BlockPool::kBlockBytes);
+}
+
+TEST(BlockPool, GivesEmptyBlocks) {
+  BlockPool pool;
+  Block* const first = pool.acquire();
+  first->count = 17;
+  pool.release(first);
+  EXPECT_EQ(pool.acquire()->count, 0u);
+}
+
+TEST(RayQueue, HighestSlotLeavesFirst) {
+  Bench bench;
+  for (const Slot slot : {3u, 200u, 17u, 8191u}) bench.queue->push(slot, bench.block(slot % 100 + 1));
+  for (const Slot slot : {8191u, 200u, 17u, 3u}) {
+    const auto popped = bench.queue->pop();
+    ASSERT_NE(popped.block, nullptr);
+    EXPECT_EQ(popped.slot, slot);
+    EXPECT_EQ(popped.block->count, slot % 100 + 1);
+  }
+  EXPECT_EQ(bench.queue->pop().block, nullptr);
+  EXPECT_EQ(bench.queue->top(), kNoSlot);
+}
+
+TEST(RayQueue, RadianceLeavesBeforeShadowsOfTheSameKeyAndAfterAHigherKey) {
+  EXPECT_GT(slot_of(5, RayKind::reflection), slot_of(5, RayKind::shadow));
+  EXPECT_EQ(slot_of(5, RayKind::reflection), slot_of(5, RayKind::primary));
+  EXPECT_LT(slot_of(5, RayKind::reflection), slot_of(6, RayKind::shadow));
+  EXPECT_EQ(key_of(slot_of(5, RayKind::shadow)), 5u);
+  EXPECT_EQ(key_of(slot_of(5, RayKind::transmission)), 5u);
+  EXPECT_LT(slot_of(kBuckets - 1, RayKind::primary), kSlots);
+}
+
+TEST(RayQueue, GivesNothingBelowWhatIsAskedFor) {
+  Bench bench;
+  bench.queue->push(10, bench.block(5));
+  EXPECT_EQ(bench.queue->pop(11).block, nullptr);
+  EXPECT_NE(bench.queue->pop(10).block, nullptr);
+}
+
+TEST(RayQueue, FullBlocksLeaveBeforeTheOthersOfTheirSlot) {
+  Bench bench;
+  bench.queue->push(4, bench.block(10));
+  bench.queue->push(4, bench.block(kBlockSize));
+  EXPECT_EQ(bench.queue->pop().block->count, kBlockSize);
+  EXPECT_EQ(bench.queue->pop().block->count, 10u);
+}
+
+TEST(RayQueue, JoinsHalfEmptyBlocksWithoutLosingARay) {
+  Bench bench;
+  constexpr std::uint32_t kPart = 700;  // two fill a block and leave some over
+  for (std::uint32_t i = 0; i < 5; ++i) bench.queue->push(9, bench.block(kPart, i * kPart));
+  EXPECT_EQ(bench.pool.bytes(), 4 * BlockPool::kBlockBytes) << "3500 rays fit into four blocks";
+  std::vector<bool> seen(5 * kPart);
+  for (auto popped = bench.queue->pop(); popped.block != nullptr; popped = bench.queue->pop()) {
+    for (const RayTask& task : popped.block->span()) {
+      EXPECT_FALSE(seen[task.sample]);
+      seen[task.sample] = true;
+    }
+    bench.pool.release(popped.block);
+  }
+  EXPECT_EQ(std::ranges::count(seen, true), 5 * kPart);
+  EXPECT_EQ(bench.pool.bytes(), 0u);
+}
+
+TEST(RayQueue, ALoneWorkerThatFindsNothingIsDone) {
+  Bench bench;
+  bench.queue->push(1, bench.block(1));
+  EXPECT_NE(bench.queue->wait_and_pop().block, nullptr);
+  EXPECT_EQ(bench.queue->wait_and_pop().block, nullptr);
+}
+
+TEST(RayQueue, AWaitingWorkerGetsWhatAnotherPushesAndBothEnd) {
+  BlockPool pool;
+  const auto queue = std::make_unique<RayQueue>(pool, 2);
+  std::uint32_t received = 0;
+  std::jthread other([&] {
+    for (auto popped = queue->wait_and_pop(); popped.block != nullptr; popped = queue->wait_and_pop()) {
+      received += popped.block->count;
+      pool.release(popped.block);
+    }
+  });
+  Block* const block = pool.acquire();
+  block->count = 3;
+  queue->push(7, block);
+  std::uint32_t own = 0;
+  for (auto popped = queue->wait_and_pop(); popped.block != nullptr; popped = queue->wait_and_pop()) {
+    own += popped.block->count;
+  }
+  other.join();
+  EXPECT_EQ(received + own, 3u);
+}
+
+TEST(RayQueue, ClosingWakesThoseWhoWait) {
+  BlockPool pool;
+  const auto queue = std::make_unique<RayQueue>(pool, 2);
+  std::jthread other([&] { EXPECT_EQ(queue->wait_and_pop().block, nullptr); });
+  queue->close();
+}
+
+TEST(RayQueue, CountsWaitingRaysAndTheirPeak) {
+  Bench bench;
+  bench.queue->count(100, 0);
+  bench.queue->count(50, 30);
+  bench.queue->count(0, 60);
+  EXPECT_EQ(bench.queue->waiting(), 60u);
+  EXPECT_EQ(bench.queue->peak_rays(), 150u);
+}
+
+TEST(OpenBlocks, KeepEveryRayUnderItsKey) {
+  Bench bench;
+  const auto open = std::make_unique<OpenBlocks>(bench.pool, *bench.queue);
+  std::mt19937 random(11);
+  constexpr std::uint32_t kRays = 50000;
+  std::vector<Key> keys;
+  std::vector<RayTask> tasks;
+  for (std::uint32_t i = 0; i < kRays; ++i) {
+    RayTask task = task_of(i);
+    task.kind = i % 3 == 0 ? RayKind::shadow : RayKind::reflection;
+    tasks.push_back(task);
+    keys.push_back(static_cast<Key>(random() % 20));
+  }
+  open->scatter(tasks, keys);
+  EXPECT_NE(bench.queue->top(), kNoSlot) << "full blocks are handed on";
+  EXPECT_EQ(open->top(), static_cast<int>(slot_of(19, RayKind::reflection)));
+  open->flush();
+  EXPECT_EQ(open->top(), kNoSlot);
+  std::vector<bool> seen(kRays);
+  Slot last = kSlots;
+  for (auto popped = bench.queue->pop(); popped.block != nullptr; popped = bench.queue->pop()) {
+    EXPECT_LE(popped.slot, last);
+    last = popped.slot;
+    for (const RayTask& task : popped.block->span()) {
+      EXPECT_EQ(popped.slot, slot_of(keys[task.sample], task.kind));
+      EXPECT_FALSE(seen[task.sample]);
+      seen[task.sample] = true;
+    }
+  }
+  EXPECT_EQ(std::ranges::count(seen, true), kRays);
+}
+
+}  // namespace
+}  // namespace firstlight::priority
