@@ -22,7 +22,8 @@ class SceneBuilder {
   bool has_camera() const;
   Settings& settings();
   const Settings& settings() const;
-  /// A top-level object, in the order of the scene text; lights are objects too. `default_texture` covers what has none.
+  /// A top-level object, in the order of the scene text; lights are objects too. `default_texture` covers what has
+  /// none.
   void add(Object object, TexturePtr default_texture);
   /// Top-level solids so far: dissolved unions count as their members, lights not at all.
   std::size_t object_count() const;
