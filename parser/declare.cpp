@@ -143,7 +143,7 @@ Interpreter::Argument Interpreter::parse_argument(bool parameter) {
     }
     return result;
   }
-  const Release release(*this);
+  const Hold hold(*this);
   if (at_string(*this)) {
     result.value = parse_string(*this);
   } else if (first.is(Keyword::array)) {

@@ -292,7 +292,9 @@ void Interpreter::finish() {
   const Location end = peek().location;
   if (!language_.version_stated()) {
     warn(end,
-         "no '#version' in this scene: it is read as one for POV-Ray 3.7, but without gamma correction, as before 3.7");
+         "no '#version' in this scene: where 3.7 differs from 3.6 in what it renders, 3.6 holds, so without "
+         "'assumed_gamma' "
+         "there is no gamma correction");
   } else if (!language_.gamma_stated()) {
     warn(end, language_.effective_version() < 370
                   ? "no 'assumed_gamma' in this scene for a version before 3.7: there is no gamma correction"

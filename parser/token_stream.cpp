@@ -40,7 +40,7 @@ void TokenStream::settle() {
       return;
     }
     const Token& token = frame.file->tokens[frame.position];
-    if (token.is(Punctuation::hash) && !held_) {
+    if (token.is(Punctuation::hash) && !is_held()) {
       const Nesting nesting(*this);
       run_directive();
       // Reading the directive may have shown the token behind it already.
@@ -73,7 +73,7 @@ bool TokenStream::settle_name(const Token& name) {
     scope = binding->scope;
     if (const auto* macro = std::get_if<std::shared_ptr<const Macro>>(slot.get())) {
       is_macro = true;
-      if (!held_) {
+      if (!is_held()) {
         call_macro(name, std::shared_ptr<const Macro>(*macro));
         return false;
       }
@@ -99,23 +99,24 @@ void TokenStream::unsettle() {
 
 Token TokenStream::take() {
   const Token token = peek();
-  if (next_slot_ != nullptr) {
-    if (const auto* absent = std::get_if<std::shared_ptr<const Unsupported>>(next_slot_.get())) {
-      const Unsupported& what = **absent;
-      const std::string name(token.text);
-      if (what.word.location.line == 0) fail(token.location, "'" + name + "' cannot be used: " + what.why, true);
-      SyntaxError error(
-          {diagnostic(token.location, Diagnostic::Severity::error, "'" + name + "' cannot be used: " + what.why),
-           diagnostic(what.word.location, Diagnostic::Severity::note, "this is why")},
-          true);
-      add_call_chain(error.diagnostics);
-      throw error;
-    }
-  }
+  refuse_unsupported();
   settled_ = false;
   pending_ = false;
   ++taken_;
   return token;
+}
+
+void TokenStream::refuse_unsupported() {
+  if (next_slot_ == nullptr) return;
+  const auto* absent = std::get_if<std::shared_ptr<const Unsupported>>(next_slot_.get());
+  if (absent == nullptr) return;
+  const Unsupported& what = **absent;
+  SyntaxError error({diagnostic(next_->location, Diagnostic::Severity::error,
+                                "'" + std::string(next_->text) + "' cannot be used: " + what.why),
+                     diagnostic(what.word.location, Diagnostic::Severity::note, "it is declared here")},
+                    true);
+  add_call_chain(error.diagnostics);
+  throw error;
 }
 
 Scopes::Binding TokenStream::take_binding() {
@@ -135,6 +136,7 @@ Token TokenStream::take_raw() {
 
 void TokenStream::expect(Punctuation mark, std::string_view behind) {
   if (!peek().is(mark)) {
+    refuse_unsupported();
     fail(peek().location,
          "expected '" + std::string(spelling(mark)) + "' " + std::string(behind) + ", found " + describe_next());
   }
@@ -175,6 +177,7 @@ void TokenStream::return_to(const Checkpoint& place) {
 
 void TokenStream::open_block(const Token& owner) {
   if (!peek().is(Punctuation::left_brace)) {
+    refuse_unsupported();
     fail(peek().location, "expected '{' after '" + std::string(owner.text) + "', found " + describe_next());
   }
   if (blocks_.size() >= kDeepestBlock) {
@@ -188,6 +191,7 @@ void TokenStream::close_block() {
   const Token owner = blocks_.back();
   const std::string name(owner.text);
   if (!peek().is(Punctuation::right_brace)) {
+    refuse_unsupported();
     fail(peek().location, "expected '}' to close '" + name + "', found " + describe_next(), owner.location,
          "'" + name + "' opened here");
   }

@@ -32,7 +32,7 @@ class TokenStream {
 
   // --- tokens -------------------------------------------------------------------------------------------------------
   const Token& peek() {
-    if (!settled_ || (pending_ && held_ == 0)) settle();
+    if (!settled_ || (pending_ && !is_held())) settle();
     return *next_;
   }
   Token take();
@@ -46,30 +46,32 @@ class TokenStream {
   std::uint64_t taken() const { return taken_; }
   void expect(Punctuation mark, std::string_view behind);
 
+  struct HoldState {
+    bool held = false;
+    std::size_t blocks = 0;  ///< open ones when it began
+  };
   /// While one lives, peek() stops at a directive or macro instead of obeying it: POV-Ray reads the token behind a
-  /// declared value so, for the declaration must be complete before the next directive is obeyed.
+  /// declared value so, for the declaration must be complete before the next directive is obeyed. In blocks that are
+  /// opened meanwhile directives are obeyed as ever.
   class Hold {
    public:
-    explicit Hold(TokenStream& stream) : stream_(stream), before_(stream.held_) { stream.held_ = true; }
-    ~Hold() { stream_.held_ = before_; }
+    explicit Hold(TokenStream& stream) : Hold(stream, true) {}
+    ~Hold() { stream_.hold_ = before_; }
     Hold(const Hold&) = delete;
     Hold& operator=(const Hold&) = delete;
 
-   private:
-    TokenStream& stream_;
-    bool before_;
-  };
-  /// The opposite: where an operand is due, directives and macros may always give it.
-  class Release {
-   public:
-    explicit Release(TokenStream& stream) : stream_(stream), before_(stream.held_) { stream.held_ = false; }
-    ~Release() { stream_.held_ = before_; }
-    Release(const Release&) = delete;
-    Release& operator=(const Release&) = delete;
+   protected:
+    Hold(TokenStream& stream, bool held) : stream_(stream), before_(stream.hold_) {
+      stream.hold_ = {held, stream.blocks_.size()};
+    }
 
    private:
     TokenStream& stream_;
-    bool before_;
+    HoldState before_;
+  };
+  /// The opposite: where an operand is due, directives and macros may always give it.
+  struct Release : Hold {
+    explicit Release(TokenStream& stream) : Hold(stream, false) {}
   };
   /// One level of expressions; fails beyond kDeepestExpression.
   class Nesting {
@@ -142,6 +144,9 @@ class TokenStream {
   std::vector<Token> blocks_;  // owners of the open braces
 
  private:
+  bool is_held() const { return hold_.held && blocks_.size() <= hold_.blocks; }
+  /// Fails when the next token is a name whose value cannot be rendered.
+  void refuse_unsupported();
   void settle();
   bool settle_name(const Token& name);
   void add_call_chain(render::Diagnostics& messages) const;
@@ -153,7 +158,7 @@ class TokenStream {
   std::uint32_t next_scope_ = 0;
   bool settled_ = false;
   bool pending_ = false;
-  bool held_ = false;
+  HoldState hold_;
   std::size_t nesting_ = 0;
   std::uint64_t taken_ = 0;
 };
