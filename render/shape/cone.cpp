@@ -28,8 +28,7 @@ struct Cylinder {
   bool open;
 
   void meet(const Ray& given, Met& met) const {
-    const double length = given.direction.length();
-    const Ray ray{given.origin, given.direction / length};
+    const auto [length, ray] = UnitRay(given);
     const Vec3& p = ray.origin;
     const Vec3& d = ray.direction;
     const double a = d.x * d.x + d.y * d.y;
@@ -73,8 +72,7 @@ struct Cone {
   bool open;
 
   void meet(const Ray& given, Met& met) const {
-    const double length = given.direction.length();
-    const Ray ray{given.origin, given.direction / length};
+    const auto [length, ray] = UnitRay(given);
     const Vec3& p = ray.origin;
     const Vec3& d = ray.direction;
     const double a = d.x * d.x + d.y * d.y - d.z * d.z;

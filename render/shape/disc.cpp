@@ -13,9 +13,9 @@ struct Disc {
   double hole_squared;
   double radius_squared;
 
-  void meet(const Ray& ray, Met& met) const {
-    const double length = ray.direction.length();
-    const Vec3 d = ray.direction / length;
+  void meet(const Ray& given, Met& met) const {
+    const auto [length, ray] = UnitRay(given);
+    const Vec3& d = ray.direction;
     if (!(std::abs(d.z) > kEpsilon)) return;
     const double t = -ray.origin.z / d.z;
     if (!(t >= 0.0)) return;

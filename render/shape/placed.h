@@ -20,6 +20,16 @@ struct Met {
   }
 };
 
+/// The same ray with a direction of unit length; depths along it are `length` times as long. The direction is multiplied
+/// by the reciprocal, as POV-Ray does: surfaces that coincide are then decided by the same rounding.
+struct UnitRay {
+  double length;
+  Ray ray;
+
+  explicit UnitRay(const Ray& given)
+      : length(given.direction.length()), ray{given.origin, given.direction * (1.0 / length)} {}
+};
+
 /// A primitive that is simple in a space of its own, under a transformation. `Local` brings the formulas:
 ///
 ///     void meet(const Ray& ray, Met& met) const;                     the ray's direction may have any length

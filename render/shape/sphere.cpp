@@ -13,11 +13,11 @@ struct EllipsoidBase {
   Vec3 center;
   double radius;
 
-  void meet(const Ray& ray, Met& met) const {
-    const double length = ray.direction.length();
+  void meet(const Ray& given, Met& met) const {
+    const auto [length, ray] = UnitRay(given);
     double enters;
     double leaves;
-    if (!meet_sphere({ray.origin, ray.direction / length}, center, radius * radius, enters, leaves)) return;
+    if (!meet_sphere(ray, center, radius * radius, enters, leaves)) return;
     if (sphere_depth_counts(enters)) met.add(enters / length);
     if (sphere_depth_counts(leaves)) met.add(leaves / length);
   }
@@ -60,7 +60,7 @@ void Sphere::crossings(const Ray& ray, std::vector<Crossing>& out) const {
 bool Sphere::inside(const Vec3& point) const { return EllipsoidBase{center_, radius_}.inside(point, inverted_); }
 
 Vec3 Sphere::normal(const Vec3& point, const Crossing&) const {
-  const Vec3 n = (point - center_) / radius_;
+  const Vec3 n = (point - center_) * (1.0 / radius_);
   return inverted_ ? -n : n;
 }
 

@@ -21,8 +21,8 @@ struct Torus {
   double minor;
 
   void meet(const Ray& given, Met& met) const {
-    const double length = given.direction.length();
-    const Vec3 d = given.direction / length;
+    const auto [length, ray] = UnitRay(given);
+    const Vec3& d = ray.direction;
     // Depths are counted from the point nearest to the centre: there the coefficients keep their digits, however far
     // away the ray starts.
     const double skipped = -given.origin.dot(d);
