@@ -1,39 +1,6 @@
 #include "render/film/film.h"
 
-#include <algorithm>
-#include <cmath>
-
 namespace firstlight::render {
-namespace {
-
-constexpr double kStep = 1.0 / 68719476736.0;  // 2^-36
-constexpr double kLimit = 16777216.0;          // 2^24
-
-std::int64_t to_fixed(float value) {
-  const double limited = std::min(std::max(static_cast<double>(value), -kLimit), kLimit);
-  return std::isnan(value) ? 0 : std::llrint(limited * (1.0 / kStep));
-}
-
-// Wraps instead of overflowing, so that even absurd scenes end in the same picture in any order.
-std::int64_t wrapping_sum(std::int64_t a, std::int64_t b) {
-  return static_cast<std::int64_t>(static_cast<std::uint64_t>(a) + static_cast<std::uint64_t>(b));
-}
-
-}  // namespace
-
-FixedRgb FixedRgb::from(const Rgb& color) { return {to_fixed(color.x), to_fixed(color.y), to_fixed(color.z)}; }
-
-Rgb FixedRgb::to_rgb() const {
-  return {static_cast<float>(static_cast<double>(r) * kStep), static_cast<float>(static_cast<double>(g) * kStep),
-          static_cast<float>(static_cast<double>(b) * kStep)};
-}
-
-FixedRgb& FixedRgb::operator+=(const FixedRgb& other) {
-  r = wrapping_sum(r, other.r);
-  g = wrapping_sum(g, other.g);
-  b = wrapping_sum(b, other.b);
-  return *this;
-}
 
 Film::Film(int width, int height)
     : width_(width), height_(height), sums_(3 * static_cast<std::size_t>(width) * static_cast<std::size_t>(height)) {}
@@ -45,7 +12,7 @@ void Film::add(std::span<const Contribution> contributions, bool alone) {
     const std::int64_t channels[3] = {light.r, light.g, light.b};
     for (int c = 0; c < 3; ++c) {
       if (alone) {
-        sum[c].store(wrapping_sum(sum[c].load(std::memory_order_relaxed), channels[c]), std::memory_order_relaxed);
+        sum[c].store(FixedRgb::sum(sum[c].load(std::memory_order_relaxed), channels[c]), std::memory_order_relaxed);
       } else {
         sum[c].fetch_add(channels[c], std::memory_order_relaxed);
       }

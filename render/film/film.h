@@ -1,6 +1,7 @@
 #pragma once
 
 #include "render/math/color.h"
+#include "render/math/fixed_rgb.h"
 
 #include <atomic>
 #include <cstdint>
@@ -8,24 +9,6 @@
 #include <vector>
 
 namespace firstlight::render {
-
-/// Light to be added to a sample; negative where a feeler takes light back.
-struct Contribution {
-  std::uint32_t sample = 0;
-  Rgb light;
-};
-
-/// A colour in fixed point, 2^-36 a step: adding is exact, so the order of adding does not show.
-struct FixedRgb {
-  std::int64_t r = 0;
-  std::int64_t g = 0;
-  std::int64_t b = 0;
-
-  /// Rounds to the nearest step; components beyond 2^24 in size are cut there, not-a-number is 0.
-  static FixedRgb from(const Rgb& color);
-  Rgb to_rgb() const;
-  FixedRgb& operator+=(const FixedRgb& other);
-};
 
 /// The picture under construction: one exact sum a sample.
 ///

@@ -92,6 +92,8 @@ void Stepper::step_shadow(std::span<const RayTask> tasks) {
 
 Rgb Stepper::passing_light(const RayTask& feeler, Ray ray, double distance) const {
   const Scene& scene = context_.scene;
+  MediumTable& media = context_.media;
+  std::uint32_t medium = feeler.medium;
   Rgb passed(1.0f);
   while (distance > 2.0 * kShadowGap && !is_black(passed)) {
     const RayQuery query{ray, kShadowGap, distance - kShadowGap, kHiddenFromShadow};
@@ -112,10 +114,12 @@ Rgb Stepper::passing_light(const RayTask& feeler, Ray ray, double distance) cons
       for (const TextureLayer& layer : placed.texture->layers) passed *= color_at(layer.pigment, local).passed();
       const Interior& interior = scene.interiors[part.interior];
       if (interior.fade_power > 0.0 && std::abs(interior.fade_distance) > kNegligible &&
-          context_.media.contains(feeler.medium, part.interior)) {
+          media.contains(medium, part.interior)) {
         passed *= faded_light(interior, hit.depth);
       }
     }
+    medium = media.contains(medium, part.interior) ? media.left(medium, part.interior)
+                                                   : media.entered(medium, part.interior);
     distance -= hit.depth;
     ray.origin = point;
   }

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "render/accel/accel.h"
-#include "render/film/film.h"
+#include "render/math/fixed_rgb.h"
 #include "render/scene/scene.h"
 #include "render/trace/medium_table.h"
 #include "render/trace/ray_task.h"
