@@ -1,5 +1,6 @@
 #include "render/trace/step.h"
 
+#include "render/film/film.h"
 #include "render/scene/scene_builder.h"
 #include "render/shape/primitives.h"
 #include "render/trace/primary.h"
