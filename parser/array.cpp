@@ -106,8 +106,9 @@ void Interpreter::check_element(Array& array, const Value& value, const Location
       fail(at, "arrays are nested too deeply here (limit " + std::to_string(kDeepestArray) + ")");
     }
   }
+  if (std::holds_alternative<std::shared_ptr<const Unsupported>>(value)) return;
   if (array.kind == 0) array.kind = kind_of(value);
-  if (array.kind != kind_of(value) && !std::holds_alternative<std::shared_ptr<const Unsupported>>(value)) {
+  if (array.kind != kind_of(value)) {
     fail(at,
          "expected a value of the same kind as the array's other elements, found a " + std::string(kind_name(value)));
   }

@@ -165,7 +165,12 @@ Value Interpreter::parse_statement_value(const Token& first) {
   } catch (const SyntaxError& error) {
     if (!error.unsupported || first.kind != TokenKind::keyword || conditions_.size() < conditions) throw;
     conditions_.resize(conditions);
-    return store_unparsed(start, first, error.diagnostics.front().message);
+    // What another value that cannot be used says is the reason for this one as well.
+    std::string why = error.diagnostics.front().message;
+    if (const std::size_t reason = why.rfind(kCannotBeUsed); reason != std::string::npos) {
+      why.erase(0, reason + kCannotBeUsed.size());
+    }
+    return store_unparsed(start, first, std::move(why));
   }
   fail(peek().location, "expected a value, found " + describe_next());
 }

@@ -155,8 +155,13 @@ void Interpreter::obey(const Token& word, std::uint32_t hash) {
     case Keyword::write:
       fail(word.location, "'#" + std::string(word.text) + "' is not supported by this version of Firstlight");
     default:
-      fail(word.location, "expected a directive after '#', found " + describe(word));
+      break;
   }
+  const bool undeclared = word.kind == TokenKind::identifier && scopes_.find(word.symbol) == nullptr;
+  if (undeclared || word.is_end()) fail(word.location, "expected a directive after '#', found " + describe(word));
+  // POV-Ray passes over a '#' that begins no directive.
+  warn(word.location, "expected a directive after '#', found " + describe(word) + "; the '#' is ignored");
+  frames_.back().position = hash + 1;
 }
 
 void Interpreter::run_bare_directive() {

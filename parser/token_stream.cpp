@@ -112,7 +112,7 @@ void TokenStream::refuse_unsupported() {
   if (absent == nullptr) return;
   const Unsupported& what = **absent;
   SyntaxError error({diagnostic(next_->location, Diagnostic::Severity::error,
-                                "'" + std::string(next_->text) + "' cannot be used: " + what.why),
+                                "'" + std::string(next_->text) + "'" + std::string(kCannotBeUsed) + what.why),
                      diagnostic(what.word.location, Diagnostic::Severity::note, "it is declared here")},
                     true);
   add_call_chain(error.diagnostics);

@@ -13,6 +13,9 @@
 
 namespace firstlight::parser {
 
+/// Between a name whose value cannot be rendered and the reason.
+constexpr std::string_view kCannotBeUsed = " cannot be used: ";
+
 /// The scene as one stream of significant tokens, over a stack of token ranges: the scene's file, included files, macro
 /// bodies. What to do at a directive or at a macro's name is the Interpreter's part.
 ///
