@@ -48,7 +48,6 @@ void parse_entry(Reader& reader, ColorMap& map) {
   ColorMapEntry second;
   second.position = position(finite(reader, at, numbers.values[0], "position in 'color_map'"));
   first.color = reader.color();
-  reader.skip_comma();
   if (!reader.next_is(Keyword::color)) reader.fail_expected("'color'");
   second.color = reader.color();
   map.push_back(first);

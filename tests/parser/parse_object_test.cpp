@@ -7,11 +7,11 @@ using render::Vec3;
 
 TEST(ParseObject, DeclaredObjectStandsAloneOrInABlock) {
   const auto scene =
-      scene_of("#declare Ball = sphere { 0, 1 } Ball object { Ball translate 5*x } sphere { Ball translate 9*x }");
+      scene_of("#declare Ball = sphere { 0, 1 } object { Ball translate 5*x } sphere { Ball translate 9*x } Ball");
   ASSERT_EQ(scene->solids.size(), 3u);
-  EXPECT_TRUE(inside(*scene, Vec3(0, 0, 0), 0));
-  EXPECT_TRUE(inside(*scene, Vec3(5, 0, 0), 1));
-  EXPECT_TRUE(inside(*scene, Vec3(9, 0, 0), 2));
+  EXPECT_TRUE(inside(*scene, Vec3(5, 0, 0), 0));
+  EXPECT_TRUE(inside(*scene, Vec3(9, 0, 0), 1));
+  EXPECT_TRUE(inside(*scene, Vec3(0, 0, 0), 2));
 }
 
 TEST(ParseObject, NameOfDeclaredObjectIsKept) {

@@ -67,6 +67,7 @@ inline std::unique_ptr<const render::Scene> scene_of(std::string_view text) {
   render::LoadResult result = load(text);
   EXPECT_EQ(errors(result), "") << text;
   EXPECT_EQ(warnings(result), "") << text;
+  if (!result.scene) return std::make_unique<const render::Scene>();
   return std::move(result.scene);
 }
 
