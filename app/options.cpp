@@ -156,7 +156,7 @@ std::string help_text() {
 
 std::string nearest(const std::string& word, const std::vector<std::string>& known) {
   std::string best;
-  std::size_t fewest = std::max<std::size_t>(2, word.size() / 3) + 1;
+  std::size_t fewest = std::max<std::size_t>(1, (word.size() + 1) / 3) + 1;
   for (const std::string& candidate : known) {
     // Edit distance, one row at a time.
     std::vector<std::size_t> row(candidate.size() + 1);

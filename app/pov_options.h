@@ -4,7 +4,6 @@
 
 #include <string>
 #include <string_view>
-#include <vector>
 
 namespace firstlight::app {
 
@@ -28,8 +27,5 @@ class PovOptions {
   CommandLine& out_;
   std::string antialias_;  // the word that asked for it last, empty when off
 };
-
-/// Switches as a user may have meant them, for suggestions: "+W", "+WT" ...
-std::vector<std::string> known_switches();
 
 }  // namespace firstlight::app

@@ -1,0 +1,221 @@
+#include "app/options.h"
+
+#include <gtest/gtest.h>
+
+#include <string>
+#include <vector>
+
+namespace firstlight::app {
+namespace {
+
+CommandLine parse(const std::vector<std::string>& words) { return parse_command_line(words); }
+
+/// The options of a command line that must be right.
+Options good(std::vector<std::string> words) {
+  words.emplace_back("+Iscene.pov");
+  const CommandLine line = parse(words);
+  EXPECT_TRUE(line.errors.empty()) << line.errors.front();
+  return line.options;
+}
+
+/// The first message about a command line that must be wrong.
+std::string complaint(std::vector<std::string> words) {
+  words.emplace_back("+Iscene.pov");
+  const CommandLine line = parse(words);
+  EXPECT_FALSE(line.errors.empty()) << words.front();
+  return line.errors.empty() ? "" : line.errors.front();
+}
+
+TEST(Options, TheSceneComesInManyForms) {
+  for (const char* form : {"dir/a.pov", "+Idir/a.pov", "-Idir/a.pov", "+idir/a.pov", "Input_File_Name=dir/a.pov"}) {
+    const CommandLine line = parse({"+W10", form, "+H20"});
+    EXPECT_TRUE(line.errors.empty()) << form;
+    EXPECT_EQ(line.options.scene, "dir/a.pov") << form;
+  }
+  EXPECT_EQ(parse({"with=equals.pov"}).options.scene, "with=equals.pov");
+}
+
+TEST(Options, HavePovRaysDefaults) {
+  const Options options = good({});
+  EXPECT_EQ(options.width, 320);
+  EXPECT_EQ(options.height, 240);
+  EXPECT_EQ(options.threads, 0);
+  EXPECT_TRUE(options.write_picture);
+  EXPECT_EQ(options.scheme, "contribution");
+  EXPECT_EQ(picture_path(options), "scene.png");
+}
+
+TEST(Options, SwitchesSetTheirValues) {
+  const Options options = good({"+W640", "-H480", "+WT3", "+Lone", "-Ltwo", "three/", "+K0.25", "declare=Depth=4",
+                                "Declare=x1=-2.5", "+Oout/a", "--scheme", "level", "--stats=s.json", "--quiet"});
+  EXPECT_EQ(options.width, 640);
+  EXPECT_EQ(options.height, 480);
+  EXPECT_EQ(options.threads, 3);
+  EXPECT_EQ(options.library_paths, (std::vector<std::string>{"one", "two", "three/"}));
+  EXPECT_EQ(options.clock, 0.25);
+  using Declares = std::vector<std::pair<std::string, std::string>>;
+  EXPECT_EQ(options.declares, (Declares{{"Depth", "4"}, {"x1", "-2.5"}}));
+  EXPECT_EQ(options.output, "out/a");
+  EXPECT_EQ(options.scheme, "level");
+  EXPECT_EQ(options.stats_file, "s.json");
+  EXPECT_TRUE(options.quiet);
+}
+
+TEST(Options, SettingsByTheirLongNamesMeanTheSame) {
+  const Options options =
+      good({"Width=64", "HEIGHT=48", "work_threads=2", "Output_to_File=off", "Library_Path=lib", "Antialias=off"});
+  EXPECT_EQ(options.width, 64);
+  EXPECT_EQ(options.height, 48);
+  EXPECT_EQ(options.threads, 2);
+  EXPECT_FALSE(options.write_picture);
+  EXPECT_EQ(options.library_paths, (std::vector<std::string>{"lib"}));
+}
+
+TEST(Options, WhatCannotChangeThePictureIsAccepted) {
+  for (const char* word : {"-A",
+                           "+D",
+                           "-D",
+                           "+D0",
+                           "+J",
+                           "-J",
+                           "+J0.5",
+                           "-J0",
+                           "+V",
+                           "-V",
+                           "+P",
+                           "-P",
+                           "+C",
+                           "-C",
+                           "+Q9",
+                           "+Q11",
+                           "+UV",
+                           "-UV",
+                           "+UR",
+                           "-UR",
+                           "+UL",
+                           "-UL",
+                           "+B",
+                           "-B",
+                           "+MB3",
+                           "+R3",
+                           "+AM2",
+                           "+BS16",
+                           "-GA",
+                           "+GA",
+                           "+GD",
+                           "-GS",
+                           "-TH",
+                           "-UA",
+                           "-KC",
+                           "+SP32",
+                           "+EP4",
+                           "+WL0",
+                           "+X",
+                           "-X",
+                           "+HR",
+                           "+MV3.7",
+                           "+FN",
+                           "+FN8",
+                           "+F",
+                           "+RP2",
+                           "Pause_when_Done=off",
+                           "Verbose=false",
+                           "Display=no",
+                           "Jitter=on",
+                           "-A0.3"}) {
+    const Options options = good({word});
+    EXPECT_TRUE(options.write_picture) << word;
+    EXPECT_EQ(options.width, 320) << word;
+  }
+}
+
+TEST(Options, WhatWouldChangeThePictureIsRefusedByItsName) {
+  for (const char* word :
+       {"+A",         "+A0.3",      "+Q4",  "+SC10", "+EC0.5", "+SR1", "+ER20", "+KFF10", "+KFI1",
+        "+KI0",       "+KF1",       "+KC",  "+UA",   "+UF",    "+TH",  "+THB4", "+MV3.5", "+HIhead.inc",
+        "+GIout.ini", "+GAlog.txt", "+RTR", "+SF2",  "+EF5",   "+FS",  "+FN16", "+O-"}) {
+    EXPECT_NE(complaint({word}).find(word), std::string::npos) << complaint({word});
+  }
+  EXPECT_NE(complaint({"Antialias=on"}).find("anti-aliasing"), std::string::npos);
+}
+
+TEST(Options, TheLastWordOnAntiAliasingCounts) {
+  good({"+A0.3", "-A"});
+  complaint({"-A", "+A"});
+}
+
+TEST(Options, WrongNumbersAreNamed) {
+  for (const char* word : {"+Wx",
+                           "+W",
+                           "+W12x",
+                           "+W1.5",
+                           "+W0",
+                           "+W-4",
+                           "+H99999999999",
+                           "+WT0",
+                           "+WT0x",
+                           "+WT100000",
+                           "+Kabc",
+                           "+Q",
+                           "Width=abc",
+                           "Width=T5",
+                           "declare=7=1",
+                           "declare=A",
+                           "declare=A=b",
+                           "Jitter=perhaps",
+                           "--threads=0",
+                           "--threads=-1",
+                           "--threads=x",
+                           "+FZ",
+                           "+FNx",
+                           "+I",
+                           "+O"}) {
+    EXPECT_NE(complaint({word}), "") << word;
+  }
+  EXPECT_NE(complaint({"+W70000", "+H70000"}).find("too large"), std::string::npos);
+  EXPECT_NE(complaint({"+WT0x"}).find("expected a whole number"), std::string::npos);
+}
+
+TEST(Options, UnknownOnesAreAnsweredWithTheNearest) {
+  EXPECT_NE(complaint({"--shceme=level"}).find("--scheme"), std::string::npos);
+  EXPECT_NE(complaint({"--thread"}).find("--threads"), std::string::npos);
+  EXPECT_NE(complaint({"--no-such-option"}).find("--help"), std::string::npos);
+  EXPECT_NE(complaint({"Widht=5"}).find("width"), std::string::npos);
+  EXPECT_NE(complaint({"+NN"}).find("unknown option '+NN'"), std::string::npos);
+  EXPECT_NE(complaint({"--scheme=nonsense"}).find("contribution, level, ray-type, recursive"), std::string::npos);
+  EXPECT_NE(parse({"scene.pov", "--stats"}).errors.at(0).find("expected a value"), std::string::npos);
+  EXPECT_NE(complaint({"settings.ini"}).find("settings.ini"), std::string::npos);
+}
+
+TEST(Options, ASceneIsNeeded) { EXPECT_FALSE(parse({"+W10"}).errors.empty()); }
+
+TEST(Options, HelpAndVersionWinOverMistakes) {
+  EXPECT_EQ(parse({"--help", "+Wx"}).wish, CommandLine::Wish::help);
+  EXPECT_EQ(parse({"--version"}).wish, CommandLine::Wish::version);
+  EXPECT_TRUE(parse({"--version"}).errors.empty());
+  for (const char* word :
+       {"--threads", "--scheme", "--stats", "--snapshots", "--front-end", "--quiet", "+Wn", "ray-type"}) {
+    EXPECT_NE(help_text().find(word), std::string::npos) << word;
+  }
+}
+
+TEST(PicturePath, IsPovRays) {
+  const auto path = [](const std::string& output, char type = 'N') {
+    Options options;
+    options.scene = "scenes/room.pov";
+    options.output = output;
+    options.file_type = type;
+    return picture_path(options);
+  };
+  EXPECT_EQ(path(""), "room.png");
+  EXPECT_EQ(path("out/"), "out/room.png");
+  EXPECT_EQ(path("out/a"), "out/a.png");
+  EXPECT_EQ(path("a.png"), "a.png");
+  EXPECT_EQ(path("a.PNG"), "a.PNG");
+  EXPECT_EQ(path("a.jpg"), "a.jpg.png");
+  EXPECT_EQ(path("a.jpg", 'J'), "a.jpg");
+  EXPECT_EQ(path("", 'E'), "room.exr");
+}
+
+}  // namespace
+}  // namespace firstlight::app
