@@ -27,16 +27,15 @@ void DepthFirst::run(std::span<const render::RayTask> roots) {
 
 void trace_recursively(Frame& frame, render::Stepper& stepper) {
   DepthFirst depth_first(frame, stepper);
-  std::vector<render::RayTask> primaries;
+  render::PrimaryBatch primaries;
   std::uint64_t reported = 0;
   while (const auto tile = frame.next_tile()) {
-    primaries.clear();
-    frame.tiles().append(*tile, primaries);
-    for (const render::RayTask& primary : primaries) {
+    frame.tiles().fill(*tile, primaries);
+    for (std::size_t i = 0; i < primaries.tasks.size(); ++i) {
       if (frame.stopped()) return;
-      stepper.step({&primary, 1});
+      stepper.step_primary(std::span(primaries.tasks).subspan(i, 1), std::span(primaries.rays).subspan(i, 1));
       frame.add(stepper.light());
-      if (&primary == &primaries.back()) frame.tile_is_lit();
+      if (i + 1 == primaries.tasks.size()) frame.tile_is_lit();
       depth_first.run(stepper.spawned());
     }
     frame.traced(stepper.counts().total() - reported);

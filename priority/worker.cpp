@@ -28,9 +28,8 @@ void Worker::run() {
 }
 
 void Worker::trace_tile(std::uint32_t tile) {
-  primaries_.clear();
-  frame_.tiles().append(tile, primaries_);
-  stepper_.step(primaries_);
+  frame_.tiles().fill(tile, primaries_);
+  stepper_.step_primary(primaries_.tasks, primaries_.rays);
   frame_.add(stepper_.light());
   frame_.tile_is_lit();
   keep_spawned(0);

@@ -39,7 +39,7 @@ class Worker {
   const std::size_t queue_budget_;
   OpenBlocks open_;
   DepthFirst depth_first_;
-  std::vector<render::RayTask> primaries_;
+  render::PrimaryBatch primaries_;
   std::vector<Key> keys_;
   std::uint64_t reported_ = 0;  // rays of which the frame knows
 };

@@ -11,7 +11,9 @@ PrimaryTiles::PrimaryTiles(const Scene& scene, int width, int height)
       columns_(static_cast<std::uint32_t>((width + kTileSize - 1) / kTileSize)),
       rows_(static_cast<std::uint32_t>((height + kTileSize - 1) / kTileSize)) {}
 
-void PrimaryTiles::append(std::uint32_t tile, std::vector<RayTask>& out) const {
+void PrimaryTiles::fill(std::uint32_t tile, PrimaryBatch& batch) const {
+  batch.tasks.clear();
+  batch.rays.clear();
   const int x0 = static_cast<int>(tile % columns_) * kTileSize;
   const int y0 = static_cast<int>(tile / columns_) * kTileSize;
   for (int y = y0; y < std::min(y0 + kTileSize, height_); ++y) {
@@ -23,7 +25,8 @@ void PrimaryTiles::append(std::uint32_t tile, std::vector<RayTask>& out) const {
       task.weight = Rgb(1.0f);
       task.sample = static_cast<std::uint32_t>(y) * static_cast<std::uint32_t>(width_) + static_cast<std::uint32_t>(x);
       task.path = task.sample;
-      out.push_back(task);
+      batch.tasks.push_back(task);
+      batch.rays.push_back(ray);
     }
   }
 }

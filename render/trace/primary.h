@@ -8,6 +8,13 @@
 
 namespace firstlight::render {
 
+/// Primary rays and their tasks, place by place. The rays are kept beside the tasks in full precision: a scene's
+/// surfaces often lie exactly on the rows and columns of pixels.
+struct PrimaryBatch {
+  std::vector<RayTask> tasks;
+  std::vector<Ray> rays;
+};
+
 /// The picture cut into squares of kTileSize pixels, whose primary rays are made on demand and never queued.
 class PrimaryTiles {
  public:
@@ -16,8 +23,8 @@ class PrimaryTiles {
   PrimaryTiles(const Scene& scene, int width, int height);
 
   std::uint32_t count() const { return columns_ * rows_; }
-  /// Appends the primary tasks of a tile, pixel by pixel, row by row. Pre: tile < count().
-  void append(std::uint32_t tile, std::vector<RayTask>& out) const;
+  /// Replaces `batch` by the primary rays of a tile, pixel by pixel, row by row. Pre: tile < count().
+  void fill(std::uint32_t tile, PrimaryBatch& batch) const;
 
  private:
   const Scene& scene_;

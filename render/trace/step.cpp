@@ -46,18 +46,25 @@ void Stepper::step(std::span<const RayTask> tasks) {
     if (shadow) {
       step_shadow(tasks.subspan(begin, end - begin));
     } else {
-      step_radiance(tasks.subspan(begin, end - begin));
+      step_radiance(tasks.subspan(begin, end - begin), {});
     }
     begin = end;
   }
 }
 
-void Stepper::step_radiance(std::span<const RayTask> tasks) {
+void Stepper::step_primary(std::span<const RayTask> tasks, std::span<const Ray> rays) {
+  light_.clear();
+  spawned_.clear();
+  step_radiance(tasks, rays);
+}
+
+void Stepper::step_radiance(std::span<const RayTask> tasks, std::span<const Ray> rays) {
   queries_.resize(tasks.size());
   hits_.resize(tasks.size());
   for (std::size_t i = 0; i < tasks.size(); ++i) {
     counts_.of(tasks[i].kind)++;
-    queries_[i] = {{tasks[i].origin, tasks[i].direction.unpack()}, kNearestHit, kFarthestHit, hidden_bit(tasks[i])};
+    const Ray ray = rays.empty() ? Ray{tasks[i].origin, tasks[i].direction.unpack()} : rays[i];
+    queries_[i] = {ray, kNearestHit, kFarthestHit, hidden_bit(tasks[i])};
   }
   context_.accel.closest(queries_, hits_);
   for (std::size_t i = 0; i < tasks.size(); ++i) {

@@ -45,6 +45,8 @@ class Stepper {
 
   /// Traces `tasks`, replacing light() and spawned() by what comes of them. Pre: `tasks` is not spawned() itself.
   void step(std::span<const RayTask> tasks);
+  /// The same for primary tasks, along rays given in full precision. Pre: equal sizes.
+  void step_primary(std::span<const RayTask> tasks, std::span<const Ray> rays);
 
   std::span<const Contribution> light() const { return light_; }
   std::span<const RayTask> spawned() const { return spawned_; }
@@ -74,7 +76,8 @@ class Stepper {
     int level;       ///< of everything spawned here
   };
 
-  void step_radiance(std::span<const RayTask> tasks);
+  /// `rays` are those of `tasks`; empty: to be unpacked from the tasks.
+  void step_radiance(std::span<const RayTask> tasks, std::span<const Ray> rays);
   void step_shadow(std::span<const RayTask> tasks);
   void shade(const RayTask& task, const Ray& ray, const Hit& hit);
   /// Fills layers_ and adds the light that needs no light source; returns what all layers let through.

@@ -236,7 +236,11 @@ TEST(Step, BatchesDoNotShowInThePicture) {
     Film film(24, 16);
     const PrimaryTiles tiles(scene.scene(), 24, 16);
     std::vector<RayTask> waiting;
-    for (std::uint32_t tile = 0; tile < tiles.count(); ++tile) tiles.append(tile, waiting);
+    for (std::uint32_t tile = 0; tile < tiles.count(); ++tile) {
+      PrimaryBatch primaries;
+      tiles.fill(tile, primaries);
+      waiting.insert(waiting.end(), primaries.tasks.begin(), primaries.tasks.end());
+    }
     while (!waiting.empty()) {
       const std::size_t count = std::min(batch, waiting.size());
       const std::vector<RayTask> tasks(waiting.end() - static_cast<std::ptrdiff_t>(count), waiting.end());
