@@ -14,7 +14,8 @@ struct RayQuery {
   Ray ray;
   double min_depth = 0.0;
   double max_depth = 0.0;
-  std::uint8_t hidden_bit = 0;  ///< kHiddenFromPrimary, ...Reflection or ...Shadow of the ray's kind; 0: sees everything
+  std::uint8_t hidden_bit =
+      0;  ///< kHiddenFromPrimary, ...Reflection or ...Shadow of the ray's kind; 0: sees everything
 };
 
 /// The nearest crossing of a ray. `part == kNoIndex`: nothing was met.

@@ -45,9 +45,9 @@ struct Leaves {
   std::vector<SphereLeaf> spheres;
   std::vector<BoxLeaf> boxes;
   std::vector<SolidLeaf> solids;
-  std::vector<PlaneLeaf> planes;         ///< tested for every ray, as are the next
-  std::vector<ChildRef> beside;          ///< leaves whose box does not fit a tree
-  std::vector<bool> opaque_parts;        ///< Part::opaque of each part
+  std::vector<PlaneLeaf> planes;   ///< tested for every ray, as are the next
+  std::vector<ChildRef> beside;    ///< leaves whose box does not fit a tree
+  std::vector<bool> opaque_parts;  ///< Part::opaque of each part
   WideTree tree;
 
   explicit Leaves(const Scene& scene);

@@ -207,9 +207,7 @@ class BlockingSearch {
   }
 
  private:
-  bool transparent(const LeafHead& head) const {
-    return !head.opaque || (head.hidden_from & query_.hidden_bit) != 0;
-  }
+  bool transparent(const LeafHead& head) const { return !head.opaque || (head.hidden_from & query_.hidden_bit) != 0; }
   void offer(double depth, double from) {
     if (depth > query_.min_depth && depth < query_.max_depth && depth >= from) blocked_ = true;
   }

@@ -15,9 +15,7 @@ enum class ChildKind : std::uint32_t { node = 0, sphere = 1, box = 2, solid = 3 
 struct ChildRef {
   std::uint32_t bits;
 
-  static ChildRef of(ChildKind kind, std::uint32_t index) {
-    return {static_cast<std::uint32_t>(kind) << 30 | index};
-  }
+  static ChildRef of(ChildKind kind, std::uint32_t index) { return {static_cast<std::uint32_t>(kind) << 30 | index}; }
   ChildKind kind() const { return static_cast<ChildKind>(bits >> 30); }
   std::uint32_t index() const { return bits & 0x3fffffffu; }
 };

@@ -4,8 +4,8 @@
 
 namespace firstlight::render {
 
-/// Real roots of c[0] + c[1] x + c[2] x^2 + c[3] x^3 + c[4] x^4 in [low, high], ascending; returns how many. Roots where
-/// the curve only touches zero without changing sign are left out.
+/// Real roots of c[0] + c[1] x + c[2] x^2 + c[3] x^3 + c[4] x^4 in [low, high], ascending; returns how many. Roots
+/// where the curve only touches zero without changing sign are left out.
 ///
 /// Between two neighbouring extrema a polynomial is monotone, so each sign change brackets exactly one root; the
 /// extrema are the roots of the derivative, found the same way. No root is lost or invented by cancellation, as happens

@@ -109,7 +109,8 @@ Transform Transform::rotation_about(const Vec3& axis, double degrees) {
   Transform t;
   // Rodrigues' rotation as a matrix for row vectors: u u^T (1 - c) + I c + [u]x^T s.
   for (int i = 0; i < 3; ++i) {
-    for (int j = 0; j < 3; ++j) t.matrix_[i][j] = i == j ? u[i] * u[i] + c * (1.0 - u[i] * u[i]) : u[i] * u[j] * (1.0 - c);
+    for (int j = 0; j < 3; ++j)
+      t.matrix_[i][j] = i == j ? u[i] * u[i] + c * (1.0 - u[i] * u[i]) : u[i] * u[j] * (1.0 - c);
     const int j1 = (i + 1) % 3;
     const int j2 = (i + 2) % 3;
     t.matrix_[i][j1] += u[j2] * s;

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "render/math/bounds.h"
+#include "render/math/box_tree.h"
 #include "render/math/vec.h"
 #include "render/shape/shape.h"
 
@@ -39,6 +40,8 @@ class Solid {
   Box3 box = boundless_box();
   /// Every point outside of it is outside the solid; filled by close().
   Box3 inside_box = boundless_box();
+  /// Every point outside of it is inside the solid; filled by close().
+  Box3 outside_box = boundless_box();
 
   /// Fills the boxes from the members; call once, bottom up, when the solid is complete.
   void close();
@@ -47,6 +50,21 @@ class Solid {
   /// chooses among members, while whether the solid itself is hidden is the caller's to ask.
   void crossings(const Ray& ray, std::uint8_t hidden_bit, std::vector<Crossing>& out) const;
   bool inside(const Vec3& point) const;
+
+ private:
+  /// Of many members: those whose surface a ray may meet, and those that may decide whether a point is inside.
+  struct MemberTrees {
+    BoxTree surface;
+    BoxTree deciding;
+  };
+
+  void plant_trees();
+  void add_member_crossings(const Solid& member, const Ray& ray, std::uint8_t hidden_bit, std::uint8_t hiding,
+                            std::vector<Crossing>& out) const;
+  bool inside_all_members(const Vec3& point, const Solid* but) const;
+  bool inside_any_member(const Vec3& point, const Solid* but, std::uint8_t hiding) const;
+
+  std::shared_ptr<const MemberTrees> trees_;  ///< null for few members
 };
 
 }  // namespace firstlight::render

@@ -79,6 +79,7 @@ class Box final : public Shape {
   Vec3 normal(const Vec3& point, const Crossing& crossing) const override;
   Box3 bounds() const override { return box_.bounds(); }
   Box3 inside_bounds() const override { return inverted_ ? boundless_box() : box_.bounds(); }
+  Box3 outside_bounds() const override { return inverted_ ? box_.bounds() : boundless_box(); }
   ShapePtr placed(const Transform& transform) const override;
   ShapePtr inverted() const override { return std::make_shared<Box>(box_, !inverted_); }
 

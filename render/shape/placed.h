@@ -20,8 +20,8 @@ struct Met {
   }
 };
 
-/// The same ray with a direction of unit length; depths along it are `length` times as long. The direction is multiplied
-/// by the reciprocal, as POV-Ray does: surfaces that coincide are then decided by the same rounding.
+/// The same ray with a direction of unit length; depths along it are `length` times as long. The direction is
+/// multiplied by the reciprocal, as POV-Ray does: surfaces that coincide are then decided by the same rounding.
 struct UnitRay {
   double length;
   Ray ray;
@@ -57,6 +57,7 @@ class Placed final : public Shape {
   }
   Box3 bounds() const override { return transform_.box(local_.bounds()); }
   Box3 inside_bounds() const override { return inverted_ ? boundless_box() : transform_.box(local_.inside_bounds()); }
+  Box3 outside_bounds() const override { return inverted_ ? transform_.box(local_.inside_bounds()) : boundless_box(); }
   ShapePtr placed(const Transform& transform) const override {
     return std::make_shared<Placed>(local_, transform_.then(transform), inverted_);
   }

@@ -38,6 +38,8 @@ Box3 Plane::inside_bounds() const {
   return box;
 }
 
+Box3 Plane::outside_bounds() const { return Plane(-normal_, -offset_).inside_bounds(); }
+
 ShapePtr Plane::placed(const Transform& transform) const {
   const Vec3 foot = transform.point(normal_ * -offset_);
   const Vec3 n = transform.normal(normal_).normalized();

@@ -25,6 +25,7 @@ class Plane final : public Shape {
   Vec3 normal(const Vec3& point, const Crossing& crossing) const override;
   Box3 bounds() const override;
   Box3 inside_bounds() const override;
+  Box3 outside_bounds() const override;
   ShapePtr placed(const Transform& transform) const override;
   ShapePtr inverted() const override;
 

@@ -40,6 +40,8 @@ class Shape {
   /// Every point outside this box is outside the shape. Infinite for a complement or a half space; otherwise it holds
   /// bounds().
   virtual Box3 inside_bounds() const { return boundless_box(); }
+  /// Every point outside this box is inside the shape. Infinite for all but complements and half spaces.
+  virtual Box3 outside_bounds() const { return boundless_box(); }
   /// The same shape moved on by `transform`.
   virtual std::shared_ptr<const Shape> placed(const Transform& transform) const = 0;
   /// The complement: inside and outside exchanged, surface unchanged.

@@ -68,6 +68,8 @@ Box3 Sphere::bounds() const { return sphere_box(center_, radius_); }
 
 Box3 Sphere::inside_bounds() const { return inverted_ ? boundless_box() : bounds(); }
 
+Box3 Sphere::outside_bounds() const { return inverted_ ? bounds() : boundless_box(); }
+
 ShapePtr Sphere::placed(const Transform& transform) const {
   const double factor = similarity_factor(transform.matrix());
   if (factor > 0.0) return std::make_shared<Sphere>(transform.point(center_), radius_ * factor, inverted_);

@@ -163,8 +163,7 @@ TEST(Accel, AnswersDoNotDependOnTheBlock) {
 TEST(Accel, OfEqualDepthsTheLowerSolidWins) {
   Scene scene;
   for (int i = 0; i < 40; ++i) {
-    add_solid(scene, solid_of(i % 2 == 0 ? make_sphere(Vec3(0.0), 1.0)
-                                         : make_box(Vec3(-1.0), Vec3(1.0))));
+    add_solid(scene, solid_of(i % 2 == 0 ? make_sphere(Vec3(0.0), 1.0) : make_box(Vec3(-1.0), Vec3(1.0))));
   }
   const Accel accel(scene);
   const RayQuery query{{Vec3(0, 0, -5), Vec3(0, 0, 1)}, 1e-4, 1e7, 0};
