@@ -31,8 +31,7 @@ Scopes::Slot Interpreter::pick_element(const Scopes::Slot& array, const Token& n
 std::size_t Interpreter::parse_subscripts(const Array& array, const Token& name) {
   std::size_t index = 0;
   for (const std::uint32_t size : array.sizes) {
-    expect(Punctuation::left_bracket,
-           "for each of the " + std::to_string(array.sizes.size()) + " dimensions of '" + std::string(name.text) + "'");
+    expect(Punctuation::left_bracket, "for each dimension of", name.text);
     const Token at = peek();
     const double subscript = parse_float(*this);
     if (!(subscript >= -kSmallestTrue && subscript + kSmallestTrue < size)) {

@@ -122,7 +122,7 @@ void Interpreter::run_for(const Token& word, std::uint32_t hash) {
   loop.frame = frames;
   loop.hash = hash;
   expect(Punctuation::left_paren, "after '#for'");
-  const Token name = take_identifier("for the loop's variable");
+  const Token& name = take_identifier(word);
   loop.variable = scopes_.target(name.symbol, true);
   reader.skip_comma();
   Numbers start;

@@ -55,17 +55,16 @@ void round_color(Numbers& numbers) {
 
 Interpreter::Target Interpreter::parse_target(const Token& word) {
   Target target;
-  const std::string behind = "after '#" + std::string(word.text) + "'";
   if (raw_next().is(Keyword::deprecated)) {
     take_raw();
     if (raw_next().is(Keyword::once)) take_raw();
     if (raw_next().kind == TokenKind::string) take_raw();
   }
-  target.name = take_identifier(behind);
+  target.name = take_identifier(word);
   const Scopes::Binding* binding = scopes_.find(target.name.symbol);
   if (binding != nullptr && std::holds_alternative<std::shared_ptr<const Macro>>(*binding->slot)) {
-    fail(target.name.location,
-         "expected an identifier " + behind + ", found the macro '" + std::string(target.name.text) + "'");
+    fail(target.name.location, "expected an identifier after '#" + std::string(word.text) + "', found the macro '" +
+                                   std::string(target.name.text) + "'");
   }
   if (binding != nullptr && raw_next().is(Punctuation::left_bracket)) {
     const Scopes::Slot slot = binding->slot;
@@ -82,12 +81,12 @@ Interpreter::Target Interpreter::parse_target(const Token& word) {
 void Interpreter::run_declare(const Token& word, bool after_hash) {
   unsettle();
   const Target target = parse_target(word);
-  const std::string name(target.name.text);
   const Hold hold(*this);
-  expect(Punctuation::equal, "after '" + name + "'");
+  expect(Punctuation::equal, "after", target.name.text);
   Argument argument = parse_argument(false);
   if (!peek().is(Punctuation::semicolon) && argument.needs_semicolon) {
-    const std::string message = "expected ';' after the value of '" + name + "', found " + describe_next();
+    const std::string message =
+        "expected ';' after the value of '" + std::string(target.name.text) + "', found " + describe_next();
     if (language_version() >= 350) fail(peek().location, message, word.location, "the declaration is here");
     if (language_version() >= 310) warn(peek().location, message);
   }

@@ -103,8 +103,7 @@ void Interpreter::count_step(const Location& at) {
 void Interpreter::run_directive() {
   const std::uint32_t hash = frames_.back().position;
   take_raw();
-  const Token word = take_raw();
-  obey(word, hash);
+  obey(take_raw(), hash);
 }
 
 void Interpreter::obey(const Token& word, std::uint32_t hash) {
@@ -113,7 +112,7 @@ void Interpreter::obey(const Token& word, std::uint32_t hash) {
     case Keyword::local:
       return run_declare(word, true);
     case Keyword::undef:
-      return run_undef();
+      return run_undef(word);
     case Keyword::if_:
     case Keyword::ifdef:
     case Keyword::ifndef:
@@ -134,7 +133,7 @@ void Interpreter::obey(const Token& word, std::uint32_t hash) {
     case Keyword::break_:
       return run_break(word);
     case Keyword::macro:
-      return define_macro(hash);
+      return define_macro(word, hash);
     case Keyword::include:
       return run_include(word);
     case Keyword::version:
@@ -207,8 +206,8 @@ void Interpreter::run_message(const Token& word) {
          word.is(Keyword::warning) ? Diagnostic::Severity::warning : Diagnostic::Severity::debug);
 }
 
-void Interpreter::run_undef() {
-  const Token name = take_identifier("after '#undef'");
+void Interpreter::run_undef(const Token& word) {
+  const Token name = take_identifier(word);
   const Scopes::Binding* binding = scopes_.find(name.symbol);
   if (binding == nullptr) {
     warn(name.location, "'" + std::string(name.text) + "' is not declared, so '#undef' changes nothing");
@@ -266,12 +265,12 @@ bool Interpreter::file_exists(const std::string& name) const {
   return files_.exists(name, *frames_.back().file->source);
 }
 
-Token Interpreter::take_identifier(std::string_view behind) {
+const Token& Interpreter::take_identifier(const Token& word) {
   unsettle();
-  const Token name = take_raw();
+  const Token& name = take_raw();
   if (name.kind == TokenKind::identifier) return name;
   const std::string found = name.kind == TokenKind::keyword ? "the reserved word " + describe(name) : describe(name);
-  fail(name.location, "expected an identifier " + std::string(behind) + ", found " + found);
+  fail(name.location, "expected an identifier after '#" + std::string(word.text) + "', found " + found);
 }
 
 bool Interpreter::parse_defined() {

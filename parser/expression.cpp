@@ -60,7 +60,7 @@ Numbers parse_vector_literal(Interpreter& in) {
 // `.x`, `.red` ... behind an operand.
 void pick_component(Interpreter& in, Numbers& numbers) {
   in.take();
-  const Token word = in.peek();
+  const Token& word = in.peek();
   std::size_t component = 0;
   switch (word.keyword) {
     case Keyword::x:
@@ -105,7 +105,7 @@ void pick_component(Interpreter& in, Numbers& numbers) {
 Numbers parse_operand_alone(Interpreter& in, std::uint8_t terms) {
   const Interpreter::Nesting nesting(in);
   while (in.peek().is(Punctuation::plus)) in.take();
-  const Token token = in.peek();
+  const Token& token = in.peek();
   switch (token.kind) {
     case TokenKind::number:
       in.take();
@@ -159,7 +159,11 @@ Numbers parse_operand_alone(Interpreter& in, std::uint8_t terms) {
 
 Numbers parse_operand(Interpreter& in, std::uint8_t terms) {
   Numbers result;
-  {
+  if (const Token& token = in.peek(); token.kind == TokenKind::number) {
+    result.values[0] = token.number;
+    promote(result, terms);
+    in.take();
+  } else {
     const Interpreter::Release release(in);
     result = parse_operand_alone(in, terms);
   }
@@ -170,7 +174,7 @@ Numbers parse_operand(Interpreter& in, std::uint8_t terms) {
 Numbers parse_product(Interpreter& in, std::uint8_t terms) {
   Numbers left = parse_operand(in, terms);
   for (;;) {
-    const Token mark = in.peek();
+    const Token& mark = in.peek();
     if (mark.is(Punctuation::star)) {
       in.take();
       left = combine(left, parse_operand(in, left.size), [](double a, double b) { return a * b; });
@@ -227,7 +231,7 @@ Numbers parse_comparison(Interpreter& in, std::uint8_t terms) {
   }
   if (strings) {
     const std::string left = parse_string(in);
-    const Token mark = in.peek();
+    const Token& mark = in.peek();
     if (!is_comparison(mark)) {
       in.fail(mark.location, "expected a comparison behind the string, found " + in.describe_next());
     }
@@ -282,7 +286,7 @@ Numbers parse_sum(Interpreter& in, std::uint8_t terms) {
 
 Numbers parse_full_expression(Interpreter& in, std::uint8_t terms) {
   const Interpreter::Nesting nesting(in);
-  const Token first = in.peek();
+  const Token& first = in.peek();
   Numbers result = parse_logical(in, 1);
   if (!in.peek().is(Punctuation::question)) {
     promote(result, terms);
@@ -298,14 +302,14 @@ Numbers parse_full_expression(Interpreter& in, std::uint8_t terms) {
 }
 
 double parse_float(Interpreter& in) {
-  const Token at = in.peek();
+  const Token& at = in.peek();
   const Numbers numbers = parse_sum(in, 1);
   if (numbers.size != 1) fail_components(in, at, "float", numbers);
   return numbers.values[0];
 }
 
 render::Vec3 parse_vector(Interpreter& in) {
-  const Token at = in.peek();
+  const Token& at = in.peek();
   const Numbers numbers = parse_sum(in, 3);
   if (numbers.size > 3) fail_components(in, at, "vector", numbers);
   return {numbers.values[0], numbers.values[1], numbers.values[2]};
@@ -314,7 +318,7 @@ render::Vec3 parse_vector(Interpreter& in) {
 double parse_condition(Interpreter& in) {
   const Interpreter::Hold hold(in);
   in.expect(Punctuation::left_paren, "before the condition");
-  const Token at = in.peek();
+  const Token& at = in.peek();
   const Numbers numbers = parse_full_expression(in, 1);
   if (numbers.size != 1) fail_components(in, at, "float", numbers);
   in.expect(Punctuation::right_paren, "behind the condition");

@@ -40,7 +40,7 @@ Numbers unit(std::size_t component, std::uint8_t size) {
 class Call {
  public:
   Call(Interpreter& in, const Token& word) : in_(in), word_(word) {
-    in_.expect(Punctuation::left_paren, "after '" + std::string(word_.text) + "'");
+    in_.expect(Punctuation::left_paren, "after", word_.text);
   }
   double number() { return parse_float(in_); }
   render::Vec3 vector() { return parse_vector(in_); }
@@ -52,7 +52,7 @@ class Call {
     in_.take();
     return true;
   }
-  void close() { in_.expect(Punctuation::right_paren, "to close '" + std::string(word_.text) + "'"); }
+  void close() { in_.expect(Punctuation::right_paren, "to close", word_.text); }
   [[noreturn]] void fail(std::string message) { in_.fail(word_.location, std::move(message)); }
 
  private:

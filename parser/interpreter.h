@@ -78,7 +78,7 @@ class Interpreter final : public TokenStream {
   void obey(const Token& word, std::uint32_t hash);
   void run_version(const Token& word, bool first);
   void run_message(const Token& word);
-  void run_undef();
+  void run_undef(const Token& word);
   void run_include(const Token& word);
   const TokenFile& tokens_of(const SourceFile& file);
   void count_step(const Location& at);
@@ -99,7 +99,7 @@ class Interpreter final : public TokenStream {
   bool in_block() const { return !conditions_.empty() && conditions_.back().frame == frames_.size(); }
   void check_same_frame(std::size_t frames, const Token& word);
   // macro.cpp
-  void define_macro(std::uint32_t hash);
+  void define_macro(const Token& word, std::uint32_t hash);
   void call_macro(const Token& name, const std::shared_ptr<const Macro>& macro) override;
   // declare.cpp
   void run_declare(const Token& word, bool after_hash);
@@ -108,7 +108,7 @@ class Interpreter final : public TokenStream {
   void check_redeclared(const Target& target, const Value& value);
   Value parse_statement_value(const Token& first);
   Value store_unparsed(const Checkpoint& start, const Token& word, std::string why);
-  Token take_identifier(std::string_view behind);
+  const Token& take_identifier(const Token& word);
   // array.cpp
   Scopes::Slot pick_element(const Scopes::Slot& array, const Token& name, bool may_be_empty) override;
   std::size_t parse_subscripts(const Array& array, const Token& name);

@@ -5,8 +5,8 @@
 
 namespace firstlight::parser {
 
-void Interpreter::define_macro(std::uint32_t hash) {
-  const Token name = take_identifier("for the macro");
+void Interpreter::define_macro(const Token& word, std::uint32_t hash) {
+  const Token& name = take_identifier(word);
   const Scopes::Binding* binding = scopes_.find(name.symbol);
   if (binding != nullptr && !std::holds_alternative<std::shared_ptr<const Macro>>(*binding->slot)) {
     fail(name.location, "'" + std::string(name.text) + "' is declared already, as a " +
@@ -15,12 +15,16 @@ void Interpreter::define_macro(std::uint32_t hash) {
   auto macro = std::make_shared<Macro>();
   macro->name = name.text;
   macro->file = frames_.back().file;
-  const Token opening = take_raw();
+  const Token& opening = take_raw();
   if (!opening.is(Punctuation::left_paren)) {
     fail(opening.location, "expected '(' after the macro's name, found " + describe(opening));
   }
   while (!raw_next().is(Punctuation::right_paren)) {
-    macro->parameters.push_back(take_identifier("for a parameter or ')'").symbol);
+    const Token& parameter = take_raw();
+    if (parameter.kind != TokenKind::identifier) {
+      fail(parameter.location, "expected the name of a parameter or ')', found " + describe(parameter));
+    }
+    macro->parameters.push_back(parameter.symbol);
     if (raw_next().is(Punctuation::comma)) take_raw();
   }
   take_raw();
@@ -34,9 +38,8 @@ void Interpreter::call_macro(const Token& name, const std::shared_ptr<const Macr
   const Nesting nesting(*this);
   count_step(name.location);
   // All arguments are read before the first parameter is bound: a macro may be its own argument.
-  const std::string called(name.text);
   if (!peek().is(Punctuation::left_paren)) {
-    fail(peek().location, "expected '(' to call the macro '" + called + "', found " + describe_next());
+    fail(peek().location, "expected '(' to call the macro '" + std::string(name.text) + "', found " + describe_next());
   }
   take();
   std::vector<Scopes::Slot> arguments;
@@ -44,14 +47,14 @@ void Interpreter::call_macro(const Token& name, const std::shared_ptr<const Macr
   while (arguments.size() < macro->parameters.size()) {
     if (peek().is(Punctuation::right_paren)) {
       fail(peek().location, "expected " + std::to_string(macro->parameters.size()) + " arguments for the macro '" +
-                                called + "', found " + std::to_string(arguments.size()));
+                                std::string(name.text) + "', found " + std::to_string(arguments.size()));
     }
     Argument argument = parse_argument(true);
     arguments.push_back(argument.reference ? std::move(argument.reference)
                                            : std::make_shared<Value>(std::move(argument.value)));
     if (peek().is(Punctuation::comma)) take();
   }
-  expect(Punctuation::right_paren, "to close the arguments of '" + called + "'");
+  expect(Punctuation::right_paren, "to close the arguments of", name.text);
   Frame frame;
   frame.file = macro->file;
   frame.position = macro->begin;

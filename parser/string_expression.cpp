@@ -175,8 +175,7 @@ std::string in_case(std::string text, bool upper) {
 }
 
 std::string parse_string_function(Interpreter& in, const Token& word) {
-  const std::string name(word.text);
-  in.expect(Punctuation::left_paren, "after '" + name + "'");
+  in.expect(Punctuation::left_paren, "after", word.text);
   std::string result;
   switch (word.keyword) {
     case Keyword::chr:
@@ -201,7 +200,7 @@ std::string parse_string_function(Interpreter& in, const Token& word) {
       result = in_case(parse_string(in), word.is(Keyword::strupr));
       break;
   }
-  in.expect(Punctuation::right_paren, "to close '" + name + "'");
+  in.expect(Punctuation::right_paren, "to close", word.text);
   return result;
 }
 

@@ -35,7 +35,7 @@ void TokenStream::settle() {
       }
       next_ = &frame.file->tokens[frame.end];
       next_index_ = frame.end;
-      next_slot_ = nullptr;
+      next_value_ = nullptr;
       settled_ = true;
       return;
     }
@@ -54,7 +54,7 @@ void TokenStream::settle() {
     }
     next_index_ = frame.position++;
     next_ = &token;
-    next_slot_ = nullptr;
+    next_value_ = nullptr;
     pending_ = token.is(Punctuation::hash);
     settled_ = true;
     return;
@@ -65,26 +65,24 @@ void TokenStream::settle() {
 bool TokenStream::settle_name(const Token& name) {
   const std::uint32_t index = frames_.back().position++;
   const Scopes::Binding* binding = scopes_.find(name.symbol);
-  Scopes::Slot slot;
-  std::uint32_t scope = 0;
+  const Value* value = nullptr;
   bool is_macro = false;
   if (binding != nullptr) {
-    slot = binding->slot;
-    scope = binding->scope;
-    if (const auto* macro = std::get_if<std::shared_ptr<const Macro>>(slot.get())) {
+    value = binding->slot.get();
+    if (const auto* macro = std::get_if<std::shared_ptr<const Macro>>(value)) {
       is_macro = true;
       if (!is_held()) {
         call_macro(name, std::shared_ptr<const Macro>(*macro));
         return false;
       }
-    } else if (std::holds_alternative<std::shared_ptr<Array>>(*slot) && raw_next().is(Punctuation::left_bracket)) {
-      slot = pick_element(slot, name, false);
+    } else if (std::holds_alternative<std::shared_ptr<Array>>(*value) && raw_next().is(Punctuation::left_bracket)) {
+      next_element_ = pick_element(Scopes::Slot(binding->slot), name, false);
+      value = next_element_.get();
     }
   }
   next_ = &name;
   next_index_ = index;
-  next_slot_ = std::move(slot);
-  next_scope_ = scope;
+  next_value_ = value;
   pending_ = is_macro;
   settled_ = true;
   return true;
@@ -97,8 +95,8 @@ void TokenStream::unsettle() {
   frames_.back().position = next_index_;
 }
 
-Token TokenStream::take() {
-  const Token token = peek();
+const Token& TokenStream::take() {
+  const Token& token = peek();
   refuse_unsupported();
   settled_ = false;
   pending_ = false;
@@ -107,8 +105,8 @@ Token TokenStream::take() {
 }
 
 void TokenStream::refuse_unsupported() {
-  if (next_slot_ == nullptr) return;
-  const auto* absent = std::get_if<std::shared_ptr<const Unsupported>>(next_slot_.get());
+  if (next_value_ == nullptr) return;
+  const auto* absent = std::get_if<std::shared_ptr<const Unsupported>>(next_value_);
   if (absent == nullptr) return;
   const Unsupported& what = **absent;
   SyntaxError error({diagnostic(next_->location, Diagnostic::Severity::error,
@@ -119,26 +117,35 @@ void TokenStream::refuse_unsupported() {
   throw error;
 }
 
+Scopes::Binding TokenStream::peek_binding() const {
+  const Scopes::Binding* binding = scopes_.find(next_->symbol);
+  if (binding == nullptr) return {};
+  const bool is_element = next_element_ != nullptr && next_element_.get() == next_value_;
+  return {binding->scope, is_element ? next_element_ : binding->slot};
+}
+
 Scopes::Binding TokenStream::take_binding() {
   peek();
+  const Scopes::Binding result = peek_binding();
   settled_ = false;
   pending_ = false;
   ++taken_;
-  return peek_binding();
+  return result;
 }
 
-Token TokenStream::take_raw() {
+const Token& TokenStream::take_raw() {
   Frame& frame = frames_.back();
   const Token& token = frame.file->tokens[frame.position];
   if (frame.position < frame.end) ++frame.position;
   return token;
 }
 
-void TokenStream::expect(Punctuation mark, std::string_view behind) {
+void TokenStream::expect(Punctuation mark, std::string_view purpose, std::string_view name) {
   if (!peek().is(mark)) {
     refuse_unsupported();
-    fail(peek().location,
-         "expected '" + std::string(spelling(mark)) + "' " + std::string(behind) + ", found " + describe_next());
+    std::string expected = "expected '" + std::string(spelling(mark)) + "' " + std::string(purpose);
+    if (!name.empty()) expected.append(" '").append(name).append("'");
+    fail(peek().location, expected + ", found " + describe_next());
   }
   take();
 }
@@ -204,8 +211,8 @@ void TokenStream::close_block() {
 std::string TokenStream::describe_next() {
   const Token& token = peek();
   if (token.kind != TokenKind::identifier) return describe(token);
-  if (next_slot_ == nullptr) return "undeclared identifier '" + std::string(token.text) + "'";
-  return std::string(kind_name(*next_slot_)) + " '" + std::string(token.text) + "'";
+  if (next_value_ == nullptr) return "undeclared identifier '" + std::string(token.text) + "'";
+  return std::string(kind_name(*next_value_)) + " '" + std::string(token.text) + "'";
 }
 
 Diagnostic TokenStream::diagnostic(const Location& at, Diagnostic::Severity severity, std::string message) const {

@@ -38,16 +38,17 @@ class TokenStream {
     if (!settled_ || (pending_ && !is_held())) settle();
     return *next_;
   }
-  Token take();
+  const Token& take();
   /// What the name that peek() gives is declared as, or the array's element it picks; null for any other token.
-  const Value* peek_value() { return peek().kind == TokenKind::identifier ? next_slot_.get() : nullptr; }
+  const Value* peek_value() { return peek().kind == TokenKind::identifier ? next_value_ : nullptr; }
   /// The place of that value and the scope of the name. Pre: peek_value().
-  Scopes::Binding peek_binding() const { return {next_scope_, next_slot_}; }
+  Scopes::Binding peek_binding() const;
   /// Takes that name, whatever it is declared as.
   Scopes::Binding take_binding();
   /// Tokens taken so far; tells whether an expression was a single name.
   std::uint64_t taken() const { return taken_; }
-  void expect(Punctuation mark, std::string_view behind);
+  /// Takes `mark`; the message says "expected ')' `purpose` 'name', found ...".
+  void expect(Punctuation mark, std::string_view purpose, std::string_view name = {});
 
   struct HoldState {
     bool held = false;
@@ -128,7 +129,7 @@ class TokenStream {
   /// The slot of the element that the subscripts behind `name` pick.
   virtual Scopes::Slot pick_element(const Scopes::Slot& array, const Token& name, bool may_be_empty) = 0;
 
-  Token take_raw();
+  const Token& take_raw();
   const Token& raw_next() const { return frames_.back().file->tokens[frames_.back().position]; }
   /// Gives up the token that peek() has shown, if any, so that reading goes on before it.
   void unsettle();
@@ -157,8 +158,8 @@ class TokenStream {
   // The token that peek() gives. `pending_`: it is a `#` or a macro's name, shown because of a Hold.
   const Token* next_ = nullptr;
   std::uint32_t next_index_ = 0;
-  Scopes::Slot next_slot_;
-  std::uint32_t next_scope_ = 0;
+  const Value* next_value_ = nullptr;
+  Scopes::Slot next_element_;  // when it is an element of an array
   bool settled_ = false;
   bool pending_ = false;
   HoldState hold_;
