@@ -30,7 +30,6 @@ Object parse_csg(Reader& reader, SceneContext& context, const Token& word) {
   }
   Object whole;
   whole.kind = combining_kind(word.keyword);
-  whole.leaves = 0;
   std::vector<Object> members;
   for (;;) {
     const Token at = reader.peek();

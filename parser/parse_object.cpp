@@ -85,12 +85,12 @@ std::optional<Object> parse_object(Reader& reader, SceneContext& context) {
 
 void count_in(Reader& reader, const Token& at, Object& whole, const Object& part) {
   whole.depth = std::max(whole.depth, part.depth + 1);
-  whole.leaves += part.leaves;
+  whole.size += part.size;
   if (whole.depth > kMaxObjectDepth) {
     reader.fail(at, "objects are nested more than " + std::to_string(kMaxObjectDepth) + " deep");
   }
-  if (whole.leaves > kMaxLeaves) {
-    reader.fail(at, "object is made of more than " + std::to_string(kMaxLeaves) + " shapes");
+  if (whole.size > kMaxObjects) {
+    reader.fail(at, "object is made of more than " + std::to_string(kMaxObjects) + " others");
   }
 }
 
@@ -98,7 +98,6 @@ Object empty_object() {
   Object object;
   object.kind = Object::Kind::union_;
   object.children = std::make_shared<const std::vector<Object>>();
-  object.leaves = 0;
   return object;
 }
 

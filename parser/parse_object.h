@@ -11,8 +11,8 @@ namespace firstlight::parser {
 
 /// Levels of objects in objects. Far more than scenes are written with, few enough to walk by recursion.
 constexpr std::uint32_t kMaxObjectDepth = 1000;
-/// Shapes and lights in a scene, counting shared ones as often as they occur.
-constexpr std::uint64_t kMaxLeaves = 20'000'000;
+/// Objects in a scene, counting shared ones as often as they occur; more would not fit into a machine's memory.
+constexpr std::uint64_t kMaxObjects = 4'000'000;
 
 /// A declared object, if the next token names one.
 std::optional<render::Object> accept_declared_object(Reader& reader);

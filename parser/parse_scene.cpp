@@ -27,9 +27,9 @@ void parse_top_object(Reader& reader, SceneContext& context) {
   const Token at = reader.peek();
   auto object = parse_object(reader, context);
   if (!object) reader.fail_expected("an object or a directive");
-  context.leaves += object->leaves;
-  if (context.leaves > kMaxLeaves) {
-    reader.fail(at, "the scene has more than " + std::to_string(kMaxLeaves) + " shapes");
+  context.size += object->size;
+  if (context.size > kMaxObjects) {
+    reader.fail(at, "the scene has more than " + std::to_string(kMaxObjects) + " objects");
   }
   context.builder.add(std::move(*object), context.default_texture);
 }
@@ -74,7 +74,7 @@ void parse_scene(Reader& reader, SceneContext& context) {
   while (!reader.peek().is_end()) parse_statement(reader, context);
   const Token end = reader.peek();
   if (!context.builder.has_camera()) reader.fail(end, "expected a camera, found none in the whole scene");
-  if (context.leaves == 0) reader.warn(end, "there are no objects in the scene");
+  if (context.size == 0) reader.warn(end, "there are no objects in the scene");
 }
 
 }  // namespace firstlight::parser

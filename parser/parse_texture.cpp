@@ -15,6 +15,8 @@ using render::Transform;
 
 namespace {
 
+constexpr std::size_t kMaxLayers = 1000;
+
 /// A texture that is shared until something in it is changed.
 class Draft {
  public:
@@ -97,6 +99,9 @@ TexturePtr moved(const TexturePtr& texture, const Transform& transform) {
 
 TexturePtr layered(Reader& reader, const TexturePtr& upper, const TexturePtr& lower) {
   if (!upper) return lower;
+  if (lower && upper->layers.size() + lower->layers.size() > kMaxLayers) {
+    reader.fail(reader.peek(), "a texture cannot have more than " + std::to_string(kMaxLayers) + " layers");
+  }
   const bool old_rules = language_version(reader) <= 310;
   if (!lower && !(old_rules && upper->layers.size() > 1)) return upper;
   auto result = std::make_shared<Texture>(*upper);

@@ -21,8 +21,8 @@ struct SceneContext {
       std::make_shared<const render::Texture>(render::Texture{std::vector<render::TextureLayer>(1)});
   bool default_pigment_given = false;  ///< a `#default` has set the pigment
   render::Camera default_camera;
-  render::Camera camera;     ///< the scene's so far; before version 3.5 a further camera statement goes on from it
-  std::uint64_t leaves = 0;  ///< shapes and lights in the scene so far
+  render::Camera camera;   ///< the scene's so far; before version 3.5 a further camera statement goes on from it
+  std::uint64_t size = 0;  ///< objects in the scene so far, with all that they are made of
 };
 
 // One function per statement kind, each called with the keyword taken already and the `{` next; each leaves the

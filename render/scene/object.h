@@ -49,7 +49,7 @@ struct Object {
   /// How deep and how large the tree below is. Sharing lets a short text describe trees that no machine can walk; whoever builds
   /// an object keeps these in step, and the front end refuses too large ones.
   std::uint32_t depth = 0;   ///< levels of children, clips and bounds below this object
-  std::uint64_t leaves = 1;  ///< shapes and lights in it, each as often as it occurs
+  std::uint64_t size = 1;    ///< objects in it, itself among them, each as often as it occurs
   bool textured = false;     ///< it or something in it has a texture of its own
   bool patch = false;        ///< it or something in it is a surface without an inside, such as a triangle
   std::string name;  ///< identifier it was declared under, for choosing objects by name; may be empty

@@ -143,6 +143,13 @@ TEST(ParseObject, ObjectsMadeOfObjectsInALoopAreLimited) {
       std::string::npos);
 }
 
+TEST(ParseObject, NothingOutOfNothingIsLimitedToo) {
+  EXPECT_NE(
+      errors(load("#declare A = union { } #for (I, 1, 60) #declare A = union { object { A } object { A } } #end A"))
+          .find("more than"),
+      std::string::npos);
+}
+
 TEST(ParseObject, UnsupportedModifierIsNamed) {
   EXPECT_EQ(errors(load("sphere { 0, 1 uv_mapping }")),
             "'uv_mapping' is not supported by this version of Firstlight\n");

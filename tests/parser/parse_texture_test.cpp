@@ -209,6 +209,13 @@ TEST(ParseTexture, WhatCannotBeRenderedIsNamed) {
   EXPECT_EQ(errors(load("#default { normal { bumps } }")), unsupported("normal"));
 }
 
+TEST(ParseTexture, LayersAreLimited) {
+  EXPECT_NE(errors(load("#declare T = texture { pigment { rgb 1 } } #for (I, 1, 40) #declare T = texture { T } texture "
+                        "{ T } #end"))
+                .find("more than 1000 layers"),
+            std::string::npos);
+}
+
 TEST(ParseTexture, ColorMapDoesNotGoWithASingleColor) {
   EXPECT_NE(errors(load("sphere { 0, 1 pigment { rgb 1 color_map { [0 rgb 1] } } }")).find("'color_map' does not go"),
             std::string::npos);
