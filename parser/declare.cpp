@@ -115,6 +115,8 @@ Interpreter::Argument Interpreter::parse_argument(bool parameter) {
   }
   const bool by_reference = parameter && name.slot && name.scope <= caller;
   if (name.slot && !std::holds_alternative<Numbers>(*name.slot)) {
+    // A call of a function: says why that cannot be.
+    if (raw_next().is(Punctuation::left_paren)) refuse_unsupported();
     take_binding();
     if (by_reference) {
       result.reference = name.slot;

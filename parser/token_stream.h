@@ -129,6 +129,8 @@ class TokenStream {
   /// The slot of the element that the subscripts behind `name` pick.
   virtual Scopes::Slot pick_element(const Scopes::Slot& array, const Token& name, bool may_be_empty) = 0;
 
+  /// Fails when the token that peek() gave is a name whose value cannot be rendered.
+  void refuse_unsupported();
   const Token& take_raw();
   const Token& raw_next() const { return frames_.back().file->tokens[frames_.back().position]; }
   /// Gives up the token that peek() has shown, if any, so that reading goes on before it.
@@ -149,8 +151,6 @@ class TokenStream {
 
  private:
   bool is_held() const { return hold_.held && blocks_.size() <= hold_.blocks; }
-  /// Fails when the next token is a name whose value cannot be rendered.
-  void refuse_unsupported();
   void settle();
   bool settle_name(const Token& name);
   void add_call_chain(render::Diagnostics& messages) const;
