@@ -10,6 +10,10 @@
 #include <fstream>
 
 namespace firstlight::golden {
+
+// GoogleTest looks for this in the namespace of the type.
+static void PrintTo(const GoldenScene& scene, std::ostream* stream) { *stream << scene.file.string(); }
+
 namespace {
 
 namespace fs = std::filesystem;

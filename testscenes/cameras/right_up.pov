@@ -5,7 +5,7 @@ background { rgb <0.3, 0.45, 0.7> }
 light_source { <-4, 6, -5>, rgb 1 }
 plane { y, -1 pigment { checker rgb <0.9, 0.85, 0.7>, rgb <0.25, 0.3, 0.35> } }
 
-camera { location <0, 1, -7> right 2.2*x up 0.8*y direction 1.4*z look_at <0, 0.3, 0> }
+camera { location <0.05, 1.03, -7.1> right 2.2*x up 0.8*y direction 1.4*z look_at <0, 0.3, 0> }
 
 sphere { <0, 0, 0>, 1 pigment { rgb <0.9, 0.3, 0.2> } }
 box { <1.5, -1, -0.5>, <2.5, 1.5, 0.5> pigment { rgb <0.3, 0.7, 0.9> } }

@@ -1,4 +1,4 @@
-// shapes.inc: its shapes of constructive geometry and planes, and its macros for rounded boxes and wedges.
+// shapes.inc: its shapes of constructive geometry and planes, and its macros for rounded and wire boxes, cylinders and cones.
 #version 3.7;
 global_settings { assumed_gamma 1 }
 background { rgb <0.3, 0.45, 0.7> }
@@ -16,7 +16,7 @@ object { Round_Box(<-0.4, -0.3, -0.3>, <0.4, 0.3, 0.3>, 0.1, false) rotate 25*y 
 object { Round_Box_Merge(<-0.3, -0.3, -0.3>, <0.3, 0.3, 0.3>, 0.15) translate <-0.7, -0.4, 0> pigment { rgbt <0.5, 0.9, 0.8, 0.5> } }
 object { Round_Cylinder(-0.4*y, 0.4*y, 0.3, 0.1, false) translate <0.3, -0.4, 0> pigment { rgb <0.4, 0.5, 0.9> } }
 object { Round_Cone(-0.4*y, 0.35, 0.4*y, 0.15, 0.08, false) translate <1.2, -0.4, 0> pigment { rgb <0.9, 0.4, 0.5> } }
-intersection { object { Wedge(60) } cylinder { -0.3*y, 0.3*y, 0.6 } translate <1.9, -0.6, -0.2> pigment { rgb <0.7, 0.9, 0.6> } }
+object { Wire_Box_Union(<-0.25, -0.3, -0.25>, <0.25, 0.3, 0.25>, 0.08) rotate 20*y translate <1.9, -0.6, -0.2> pigment { rgb <0.7, 0.9, 0.6> } }
 object { Spheroid(0, <0.4, 0.2, 0.3>) translate <0, -0.8, -1.6> pigment { rgb <0.9, 0.9, 0.5> } }
 object { Round_Cone2(0, 0.3, 0.5*y, 0.12, false) translate <-1.1, -0.9, -1.6> pigment { rgb <0.5, 0.9, 0.9> } }
 object { Wire_Box(<-0.3, -0.3, -0.3>, <0.3, 0.3, 0.3>, 0.05, false) rotate 30*y translate <1.2, -0.65, -1.6> pigment { rgb <0.9, 0.7, 0.4> } }

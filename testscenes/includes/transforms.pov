@@ -15,4 +15,3 @@ object { Mark Reorient_Trans(y, <1, 1, -0.5>) translate <0.5, 0, 0> pigment { rg
 object { Mark Shear_Trans(x, y + 0.4*x, z) translate <1.3, 0, 0> pigment { rgb <0.9, 0.8, 0.3> } }
 object { Mark Matrix_Trans(x, 0.6*y, z - 0.3*y, <2, 0.1, 0>) pigment { rgb <0.8, 0.4, 0.9> } }
 object { Mark Point_At_Trans(<1, 0.3, -0.6>) translate <0, -0.7, -1.4> pigment { rgb <0.4, 0.9, 0.8> } }
-object { Mark Center_Trans(Mark, x + y) translate <1.1, -0.6, -1.2> pigment { rgb <0.9, 0.6, 0.5> } }

@@ -8,12 +8,12 @@ plane { y, -1 pigment { checker rgb <0.9, 0.85, 0.7>, rgb <0.25, 0.3, 0.35> } }
 
 #declare Glass = texture { pigment { rgbt <0.6, 0.9, 0.8, 0.7> } finish { phong 0.5 } }
 merge {
-  sphere { -0.35*x, 0.7 } sphere { 0.35*x, 0.7 } cylinder { -y, y, 0.3 }
+  sphere { -0.35*x, 0.7 } sphere { 0.35*x, 0.7 } cylinder { -0.9*y, y, 0.3 }
   texture { Glass }
   translate <-1.2, 0, 0>
 }
 union {
-  sphere { -0.35*x, 0.7 } sphere { 0.35*x, 0.7 } cylinder { -y, y, 0.3 }
+  sphere { -0.35*x, 0.7 } sphere { 0.35*x, 0.7 } cylinder { -0.9*y, y, 0.3 }
   texture { Glass }
   translate <1.2, 0, 0>
 }
