@@ -1,5 +1,5 @@
 // An #end that ends nothing.
-// expect error 5:1: #end
+// expect error 5:2: '#end' without '#if'
 camera { location <0, 2, -6> look_at 0 }
 sphere { 0, 1 }
 #end

@@ -1,5 +1,5 @@
 // A #macro without #end.
-// expect error 4:1: #macro
+// expect error 6:1: expected '#end' to close '#macro', found end of file
 camera { location <0, 2, -6> look_at 0 }
 #macro Ball(R)
   sphere { 0, R }
