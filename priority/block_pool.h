@@ -3,15 +3,12 @@
 #include "render/trace/ray_task.h"
 
 #include <atomic>
-#include <condition_variable>
 #include <cstddef>
 #include <cstdint>
 #include <deque>
 #include <memory>
 #include <mutex>
 #include <span>
-#include <stop_token>
-#include <thread>
 #include <vector>
 
 namespace firstlight::priority {
@@ -31,17 +28,15 @@ struct Block {
 
 /// Where blocks come from and go back to.
 ///
-/// Memory   taken from the system in chunks of one huge page each, kept until the pool ends. The first touch of fresh
-/// memory can
-///          cost as much as tracing the rays in it, so a thread of the pool's own stays a few chunks ahead of the
-///          demand.
+/// Memory   taken from the system in large chunks of huge pages, kept until the pool ends: the first touch of a fresh
+///          page costs about as much as tracing the rays in it.
 /// Threads  all members may be called from any thread; one lock a block.
 class BlockPool {
  public:
   /// 64 bytes a task: 64 KiB.
   static constexpr std::size_t kBlockBytes = kBlockSize * sizeof(render::RayTask);
 
-  BlockPool();
+  BlockPool() = default;
   BlockPool(const BlockPool&) = delete;
   BlockPool& operator=(const BlockPool&) = delete;
 
@@ -60,18 +55,14 @@ class BlockPool {
     void operator()(void* chunk) const;
   };
   using Chunk = std::unique_ptr<void, FreeChunk>;
-  static Chunk make_chunk();
-  void add_locked(Chunk chunk);
-  void stay_ahead(std::stop_token stop);
+  void add_chunk_locked();
 
   mutable std::mutex mutex_;
-  std::condition_variable_any running_low_;
   std::vector<Chunk> chunks_;
   std::deque<Block> blocks_;
   Block* free_ = nullptr;
   std::atomic<std::size_t> used_ = 0;  // changed under the lock only
   std::size_t peak_ = 0;
-  std::jthread provider_;  // last: ends before what it uses
 };
 
 }  // namespace firstlight::priority
