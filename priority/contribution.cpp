@@ -1,6 +1,8 @@
 #include "priority/schemes.h"
 
+#include <algorithm>
 #include <bit>
+#include <cstdint>
 
 namespace firstlight::priority {
 namespace {
@@ -20,12 +22,21 @@ class Contribution final : public Scheme {
 
   void keys(std::span<const render::RayTask> tasks, std::span<Key> keys) const override {
     for (std::size_t i = 0; i < tasks.size(); ++i) {
-      const float share = tasks[i].kind == render::RayKind::shadow ? 1.0f : kRadianceShare;
-      keys[i] = bucket(render::max_magnitude(tasks[i].weight) * share);
+      keys[i] = bucket(tasks[i].kind == render::RayKind::shadow
+                           ? most_at_stake(tasks[i])
+                           : render::max_magnitude(tasks[i].radiance.weight()) * kRadianceShare);
     }
   }
 
  private:
+  static float most_at_stake(const render::RayTask& feelers) {
+    float most = 0.0f;
+    feelers.for_each_feeler([&](std::uint32_t, const render::PackedRgb& light) {
+      most = std::max(most, render::max_magnitude(light.unpack()));
+    });
+    return most;
+  }
+
   // The bits of a float without its sign grow with its size, so the exponent and the leading bits of the mantissa are
   // a logarithm in steps of 1/16 octave. Not-a-number ends in the top buckets and comes to no harm there.
   static Key bucket(float size) {

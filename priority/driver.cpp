@@ -75,6 +75,9 @@ TraceResult trace(const render::TraceContext& context, render::Film& film, const
     if (shared != nullptr) {
       statistics.peak_rays = shared->queue.peak_rays();
       statistics.peak_bytes = shared->pool.peak_bytes();
+      if (statistics.peak_rays > 0) {
+        statistics.bytes_per_ray = static_cast<double>(statistics.peak_bytes) / static_cast<double>(statistics.peak_rays);
+      }
     }
     statistics.first_image = frame.first_image();
     result.error = frame.error();

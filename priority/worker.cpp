@@ -39,7 +39,7 @@ void Worker::trace_block(const RayQueue::Popped& popped) {
   frame_.popped(key_of(popped.slot));
   stepper_.step(popped.block->span());
   frame_.add(stepper_.light());
-  const std::size_t taken = popped.block->count;
+  const std::uint64_t taken = render::ray_count(popped.block->span());
   pool_.release(popped.block);
   keep_spawned(taken);
 }
@@ -54,7 +54,7 @@ RayQueue::Popped Worker::next_block() {
   return queue_.wait_and_pop();
 }
 
-void Worker::keep_spawned(std::size_t taken) {
+void Worker::keep_spawned(std::uint64_t taken) {
   const std::span<const render::RayTask> spawned = stepper_.spawned();
   if (queue_budget_ != 0 && pool_.bytes() >= queue_budget_) {
     queue_.count(0, taken);
@@ -62,7 +62,7 @@ void Worker::keep_spawned(std::size_t taken) {
   } else {
     keys_.resize(spawned.size());
     scheme_.keys(spawned, keys_);
-    queue_.count(spawned.size(), taken);
+    queue_.count(render::ray_count(spawned), taken);
     open_.scatter(spawned, keys_);
   }
   frame_.traced(stepper_.counts().total() - reported_);

@@ -29,7 +29,7 @@ class Worker {
   void trace_block(const RayQueue::Popped& popped);
   RayQueue::Popped next_block();
   /// Queues what the last step spawned; `taken` rays had left the queue for it.
-  void keep_spawned(std::size_t taken);
+  void keep_spawned(std::uint64_t taken);
 
   Frame& frame_;
   render::Stepper& stepper_;

@@ -7,7 +7,7 @@ Film::Film(int width, int height)
 
 void Film::add(std::span<const Contribution> contributions, bool alone) {
   for (const Contribution& contribution : contributions) {
-    const FixedRgb light = FixedRgb::from(contribution.light);
+    const FixedRgb& light = contribution.light;
     std::atomic<std::int64_t>* const sum = &sums_[3 * static_cast<std::size_t>(contribution.sample)];
     const std::int64_t channels[3] = {light.r, light.g, light.b};
     for (int c = 0; c < 3; ++c) {

@@ -8,12 +8,6 @@
 
 namespace firstlight::render {
 
-/// Light to be added to a sample; negative where a feeler takes light back.
-struct Contribution {
-  std::uint32_t sample = 0;
-  Rgb light;
-};
-
 /// A colour in fixed point, 2^-36 a step: adding is exact, so the order of adding does not show.
 struct FixedRgb {
   std::int64_t r = 0;
@@ -30,6 +24,7 @@ struct FixedRgb {
     b = sum(b, other.b);
     return *this;
   }
+  bool operator==(const FixedRgb&) const = default;
   /// Wraps instead of overflowing, so that even absurd scenes end in the same picture in any order.
   static std::int64_t sum(std::int64_t a, std::int64_t b) {
     return static_cast<std::int64_t>(static_cast<std::uint64_t>(a) + static_cast<std::uint64_t>(b));
@@ -44,6 +39,12 @@ struct FixedRgb {
     return std::llrint(std::clamp(static_cast<double>(value), -kLimit, kLimit) * kStepsPerUnit);
   }
   static float to_float(std::int64_t steps) { return static_cast<float>(static_cast<double>(steps) / kStepsPerUnit); }
+};
+
+/// Light to be added to a sample; negative where feelers take light back.
+struct Contribution {
+  std::uint32_t sample = 0;
+  FixedRgb light;
 };
 
 }  // namespace firstlight::render

@@ -21,8 +21,8 @@ void PrimaryTiles::fill(std::uint32_t tile, PrimaryBatch& batch) const {
       const Ray ray = primary_ray(scene_.camera, x + 0.5, y + 0.5, width_, height_);
       RayTask task;
       task.origin = ray.origin;
-      task.direction = PackedDirection(ray.direction);
-      task.weight = Rgb(1.0f);
+      task.radiance.direction = PackedDirection(ray.direction);
+      task.radiance.set_weight(Rgb(1.0f));
       task.sample = static_cast<std::uint32_t>(y) * static_cast<std::uint32_t>(width_) + static_cast<std::uint32_t>(x);
       task.path = task.sample;
       batch.tasks.push_back(task);

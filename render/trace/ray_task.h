@@ -1,12 +1,17 @@
 #pragma once
 
 #include "render/math/color.h"
+#include "render/math/packed_rgb.h"
 #include "render/math/vec.h"
 #include "render/scene/solid.h"
 
 #include <algorithm>
+#include <array>
+#include <bit>
 #include <cmath>
+#include <cstddef>
 #include <cstdint>
+#include <span>
 #include <type_traits>
 
 namespace firstlight::render {
@@ -44,33 +49,85 @@ struct PackedDirection {
   static constexpr double kSteps = 2147483647.0;
 };
 
-/// A ray that waits to be traced: a flat record with no pointer to its parent.
+/// What a radiance ray (primary, reflection, transmission) carries beside its origin.
+struct Radiance {
+  PackedDirection direction;
+  float red = 0.0f;  ///< weight: product of the factors on the way to the eye
+  float green = 0.0f;
+  float blue = 0.0f;
+  float adc_weight = 1.0f;  ///< scalar weight by which POV-Ray prunes (adc_bailout)
+
+  Rgb weight() const { return {red, green, blue}; }
+  void set_weight(const Rgb& weight) {
+    red = weight.x;
+    green = weight.y;
+    blue = weight.z;
+  }
+};
+
+/// Rays that wait to be traced: a flat record with no pointer to a parent.
 ///
-/// Meaning  A radiance ray (primary, reflection, transmission) adds weight * local light to its sample. A shadow feeler
-///          stands for light that was added as if unoccluded: where it is blocked, it takes back weight * (1 - S),
-///          S being the share of light that passes. [Yagel & Meeker 1997, eq. 2-9; docs/paper-notes.md]
+/// Meaning  A radiance ray adds weight * local light to its sample. A record of shadow feelers stands for light that was
+///          added as if unoccluded, from up to three lights; where a feeler is blocked, it takes back (1 - S) of the
+///          light at stake, S being the share that passes.
+/// Source   Yagel & Meeker 1997, eq. 2-9 and section 7; docs/paper-notes.md.
 /// Memory   64 bytes.
 struct RayTask {
+  static constexpr int kMostFeelers = 3;
+
   Vec3 origin;
-  PackedDirection direction;        ///< of a radiance ray
-  Rgb weight;                       ///< radiance: product of the factors on the way to the eye; shadow: the light at stake
-  float adc_weight = 1.0f;          ///< scalar weight by which POV-Ray prunes (adc_bailout)
-  std::uint32_t sample = 0;         ///< index into the film
-  std::uint32_t medium = 0;         ///< of MediumTable: what the ray travels in
-  std::uint32_t path = 0;           ///< hash of the way from the eye, for random choices
+  union {
+    Radiance radiance;                                  ///< of every kind but shadow
+    std::array<PackedRgb, kMostFeelers> light_at_stake;  ///< of kind shadow, exactly as it was added to the film
+  };
+  std::uint32_t sample = 0;  ///< index into the film
+  std::uint32_t medium = 0;  ///< of MediumTable: what the ray travels in
+  std::uint32_t path = 0;    ///< hash of the way from the eye, for random choices; of feelers: the first one's light
   RayKind kind = RayKind::primary;
-  std::uint8_t level = 0;           ///< trace level of the parent: 0 for a primary ray
+  std::uint8_t level = 0;  ///< trace level of the parent: 0 for a primary ray
   std::uint8_t flags = 0;
-  std::uint8_t unused = 0;
+  std::uint8_t more_lights = 0;  ///< of feelers: bit i set for light `path` + 1 + i, in the order of light_at_stake
 
   static constexpr std::uint8_t kReflected = 1;  ///< a reflection lies on the way to the eye
   static constexpr std::uint8_t kContinued = 2;  ///< went straight on through a surface: does not raise the level
 
-  /// Of a shadow feeler: index into Scene::lights; kept where a radiance ray has its direction.
-  std::uint32_t light() const { return static_cast<std::uint32_t>(direction.u); }
-  void set_light(std::uint32_t index) { direction.u = static_cast<std::int32_t>(index); }
+  RayTask() : radiance() {}
+
+  /// How many rays the record stands for.
+  int ray_count() const { return 1 + std::popcount(more_lights); }
+  /// Turns the record into one feeler.
+  void set_feeler(std::uint32_t light, PackedRgb at_stake) {
+    kind = RayKind::shadow;
+    path = light;
+    more_lights = 0;
+    light_at_stake[0] = at_stake;
+  }
+  /// Adds a feeler if there is room. Pre: `light` is larger than those in the record.
+  bool add_feeler(std::uint32_t light, PackedRgb at_stake) {
+    const std::uint32_t distance = light - path - 1;
+    if (distance >= 8 || ray_count() == kMostFeelers) return false;
+    light_at_stake[static_cast<std::size_t>(ray_count())] = at_stake;
+    more_lights = static_cast<std::uint8_t>(more_lights | 1u << distance);
+    return true;
+  }
+  /// Calls visit(index into Scene::lights, light at stake) for each feeler.
+  template <class Visit>
+  void for_each_feeler(const Visit& visit) const {
+    visit(path, light_at_stake[0]);
+    std::size_t i = 1;
+    for (unsigned bits = more_lights; bits != 0; bits &= bits - 1) {
+      visit(path + 1 + static_cast<std::uint32_t>(std::countr_zero(bits)), light_at_stake[i++]);
+    }
+  }
 };
 static_assert(sizeof(RayTask) == 64);
 static_assert(std::is_trivially_destructible_v<RayTask>);
+
+/// Rays in `tasks`.
+inline std::uint64_t ray_count(std::span<const RayTask> tasks) {
+  std::uint64_t count = tasks.size();
+  for (const RayTask& task : tasks) count += static_cast<std::uint64_t>(std::popcount(task.more_lights));
+  return count;
+}
 
 }  // namespace firstlight::render

@@ -76,7 +76,7 @@ Rgb Stepper::shade_layers(const Surface& surface, const PlacedTexture& texture) 
                                                .color = pigment.rgb,
                                                .filter = filter,
                                                .opacity = opacity,
-                                               .adc_weight = surface.task.adc_weight * share,
+                                               .adc_weight = surface.task.radiance.adc_weight * share,
                                                .reflection = Rgb(0.0f)});
     shaded.reflection = reflectivity(surface, finish, pigment.rgb, shaded.adc_weight);
     own_light += filter * pigment.rgb * (finish.ambient * settings.ambient_light + finish.emission) *
@@ -88,7 +88,7 @@ Rgb Stepper::shade_layers(const Surface& surface, const PlacedTexture& texture) 
     }
     share = std::min(1.0, static_cast<double>(std::abs(grey(filter))));
   }
-  add_light(surface.task.sample, surface.task.weight * own_light);
+  add_light(surface.task.radiance.weight() * own_light);
   return filter;
 }
 
@@ -98,6 +98,7 @@ void Stepper::shade_lights(const Surface& surface) {
     return;
   }
   const std::vector<Light>& lights = context_.scene.lights;
+  int feelers = 0;  // records of this hit, at the end of spawned_
   for (std::uint32_t i = 0; i < lights.size(); ++i) {
     const Illumination light = illuminate(lights[i], surface.point);
     if (is_negligible(light.color)) continue;
@@ -115,15 +116,19 @@ void Stepper::shade_lights(const Surface& surface) {
       }
       lit += layer.filter * term;
     }
-    const Rgb weighted = surface.task.weight * lit;
+    const Rgb weighted = surface.task.radiance.weight() * lit;
     if (is_black(weighted)) continue;
-    light_.push_back({surface.task.sample, weighted});
-    if (lights[i].shadowless) continue;
-    RayTask feeler = child_of(surface, RayKind::shadow);
-    feeler.set_light(i);
-    feeler.weight = weighted;
-    feeler.path = mixed(surface.task.path, i);
-    spawned_.push_back(feeler);
+    if (lights[i].shadowless) {
+      add_light(weighted);
+      continue;
+    }
+    // What is added is what the feeler can keep, so that a blocked light leaves nothing behind.
+    const PackedRgb at_stake(weighted);
+    add_light(at_stake.unpack());
+    if (feelers > 0 && spawned_.back().add_feeler(i, at_stake)) continue;
+    spawned_.push_back(child_of(surface, RayKind::shadow));
+    spawned_.back().set_feeler(i, at_stake);
+    ++feelers;
   }
 }
 
@@ -191,16 +196,16 @@ void Stepper::spawn_reflections(const Surface& surface) {
     if (is_black(layer.reflection)) continue;
     RayTask child = child_of(surface, RayKind::reflection);
     const Vec3 mirrored = surface.direction - surface.normal * (2.0 * surface.direction.dot(surface.normal));
-    child.direction = PackedDirection(mirrored);
-    child.weight = surface.task.weight * layer.reflection;
-    child.adc_weight = static_cast<float>(layer.adc_weight);
+    child.radiance.direction = PackedDirection(mirrored);
+    child.radiance.set_weight(surface.task.radiance.weight() * layer.reflection);
+    child.radiance.adc_weight = static_cast<float>(layer.adc_weight);
     child.flags |= RayTask::kReflected;
     child.path = mixed(surface.task.path, 0x10000u + i);
     if (surface.level >= context_.scene.settings.max_trace_level || !is_worth_tracing(context_.scene.settings, child)) {
       continue;
     }
     if (layer.finish->reflection_exponent != 1.0) {
-      add_sealed(child, child.weight, layer.finish->reflection_exponent);
+      add_sealed(child, child.radiance.weight(), layer.finish->reflection_exponent);
     } else {
       spawn(child);
     }
@@ -235,12 +240,12 @@ bool Stepper::spawn_transmission(const Surface& surface, const Rgb& filter) {
   if (std::abs(surface.interior.fade_distance) > kNegligible && media.contains(around, own)) {
     passed *= faded_light(surface.interior, surface.depth);
   }
-  child.adc_weight = surface.task.adc_weight * max_magnitude(filter);
+  child.radiance.adc_weight = surface.task.radiance.adc_weight * max_magnitude(filter);
   child.path = mixed(surface.task.path, 0x20000u);
 
   bool totally_reflected = false;
   if (std::abs(ior - 1.0) < kNegligible) {
-    child.direction = PackedDirection(surface.direction);
+    child.radiance.direction = PackedDirection(surface.direction);
     child.flags |= RayTask::kContinued;
   } else {
     // Heckbert's form of Snell's law: T = ior I + (ior c - sqrt(1 + ior^2 (c^2 - 1))) N.
@@ -251,13 +256,13 @@ bool Stepper::spawn_transmission(const Surface& surface, const Rgb& filter) {
       child.kind = RayKind::reflection;
       child.flags |= RayTask::kReflected;
       child.medium = around;
-      child.direction = PackedDirection(surface.direction + surface.normal * (2.0 * cosine));
+      child.radiance.direction = PackedDirection(surface.direction + surface.normal * (2.0 * cosine));
     } else {
-      child.direction =
+      child.radiance.direction =
           PackedDirection(surface.direction * ior + surface.normal * (ior * cosine - std::sqrt(root)));
     }
   }
-  child.weight = surface.task.weight * passed * (totally_reflected ? Rgb(1.0f) : filter);
+  child.radiance.set_weight(surface.task.radiance.weight() * passed * (totally_reflected ? Rgb(1.0f) : filter));
   if (surface.level < scene.settings.max_trace_level && is_worth_tracing(scene.settings, child)) spawn(child);
   return totally_reflected;
 }

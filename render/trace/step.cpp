@@ -27,7 +27,7 @@ RayCounts& RayCounts::operator+=(const RayCounts& other) {
 }
 
 bool is_worth_tracing(const Settings& settings, const RayTask& task) {
-  return task.level < settings.max_trace_level && !(task.adc_weight < settings.adc_bailout);
+  return task.level < settings.max_trace_level && !(task.radiance.adc_weight < settings.adc_bailout);
 }
 
 Stepper::Stepper(const TraceContext& context)
@@ -63,44 +63,49 @@ void Stepper::step_radiance(std::span<const RayTask> tasks, std::span<const Ray>
   hits_.resize(tasks.size());
   for (std::size_t i = 0; i < tasks.size(); ++i) {
     counts_.of(tasks[i].kind)++;
-    const Ray ray = rays.empty() ? Ray{tasks[i].origin, tasks[i].direction.unpack()} : rays[i];
+    const Ray ray = rays.empty() ? Ray{tasks[i].origin, tasks[i].radiance.direction.unpack()} : rays[i];
     queries_[i] = {ray, kNearestHit, kFarthestHit, hidden_bit(tasks[i])};
   }
   context_.accel.closest(queries_, hits_);
   for (std::size_t i = 0; i < tasks.size(); ++i) {
     if (hits_[i].part == kNoIndex) {
-      add_light(tasks[i].sample, tasks[i].weight * context_.scene.settings.background);
+      add_light(tasks[i].radiance.weight() * context_.scene.settings.background);
     } else {
       shade(tasks[i], queries_[i].ray, hits_[i]);
     }
+    give_sum_to(tasks[i].sample);
   }
 }
 
 void Stepper::step_shadow(std::span<const RayTask> tasks) {
-  queries_.resize(tasks.size());
-  blocked_.resize(tasks.size());
-  for (std::size_t i = 0; i < tasks.size(); ++i) {
-    counts_.of(RayKind::shadow)++;
-    const Illumination light = illuminate(context_.scene.lights[tasks[i].light()], tasks[i].origin);
-    queries_[i] = {{tasks[i].origin, light.direction}, kShadowGap, light.distance - kShadowGap, kHiddenFromShadow};
+  queries_.clear();
+  for (const RayTask& task : tasks) {
+    task.for_each_feeler([&](std::uint32_t light, const PackedRgb&) {
+      const Illumination lit = illuminate(context_.scene.lights[light], task.origin);
+      queries_.push_back({{task.origin, lit.direction}, kShadowGap, lit.distance - kShadowGap, kHiddenFromShadow});
+    });
   }
+  counts_.of(RayKind::shadow) += queries_.size();
+  blocked_.resize(queries_.size());
   context_.accel.occluded(queries_, blocked_);
-  for (std::size_t i = 0; i < tasks.size(); ++i) {
-    if (blocked_[i] != 0) {
-      add_light(tasks[i].sample, -tasks[i].weight);
-    } else if (has_transparent_casters_) {
-      const Rgb passed = passing_light(tasks[i], queries_[i].ray, queries_[i].max_depth + kShadowGap);
-      if (passed != Rgb(1.0f)) {
-        add_light(tasks[i].sample, tasks[i].weight * (passed - Rgb(1.0f)));
+  std::size_t i = 0;
+  for (const RayTask& task : tasks) {
+    task.for_each_feeler([&](std::uint32_t, const PackedRgb& at_stake) {
+      const RayQuery& query = queries_[i];
+      if (blocked_[i++] != 0) {
+        add_light(-at_stake.unpack());
+      } else if (has_transparent_casters_) {
+        const Rgb passed = passing_light(task.medium, query.ray, query.max_depth + kShadowGap);
+        if (passed != Rgb(1.0f)) add_light(at_stake.unpack() * (passed - Rgb(1.0f)));
       }
-    }
+    });
+    give_sum_to(task.sample);
   }
 }
 
-Rgb Stepper::passing_light(const RayTask& feeler, Ray ray, double distance) const {
+Rgb Stepper::passing_light(std::uint32_t medium, Ray ray, double distance) const {
   const Scene& scene = context_.scene;
   MediumTable& media = context_.media;
-  std::uint32_t medium = feeler.medium;
   Rgb passed(1.0f);
   while (distance > 2.0 * kShadowGap && !is_black(passed)) {
     const RayQuery query{ray, kShadowGap, distance - kShadowGap, kHiddenFromShadow};
@@ -133,19 +138,20 @@ Rgb Stepper::passing_light(const RayTask& feeler, Ray ray, double distance) cons
   return passed;
 }
 
-void Stepper::add_light(std::uint32_t sample, const Rgb& light) {
-  if (!is_black(light)) light_.push_back({sample, light});
+void Stepper::give_sum_to(std::uint32_t sample) {
+  if (sum_ != FixedRgb()) light_.push_back({sample, sum_});
+  sum_ = FixedRgb();
 }
 
 void Stepper::spawn(const RayTask& task) {
-  if (!is_black(task.weight)) spawned_.push_back(task);
+  if (!is_black(task.radiance.weight())) spawned_.push_back(task);
 }
 
 void Stepper::add_sealed(RayTask root, const Rgb& weight, double exponent) {
-  root.weight = Rgb(1.0f);
+  root.radiance.set_weight(Rgb(1.0f));
   const Rgb color = trace_sealed(root);
   const auto power = [exponent](float c) { return c > 0.0f ? static_cast<float>(std::pow(c, exponent)) : 0.0f; };
-  add_light(root.sample, weight * Rgb(power(color.x), power(color.y), power(color.z)));
+  add_light(weight * Rgb(power(color.x), power(color.y), power(color.z)));
 }
 
 Rgb Stepper::trace_sealed(const RayTask& root) {
@@ -157,7 +163,7 @@ Rgb Stepper::trace_sealed(const RayTask& root) {
     const RayTask task = waiting.back();
     waiting.pop_back();
     sealed_->step({&task, 1});
-    for (const Contribution& contribution : sealed_->light()) sum += FixedRgb::from(contribution.light);
+    for (const Contribution& contribution : sealed_->light()) sum += contribution.light;
     waiting.insert(waiting.end(), sealed_->spawned().begin(), sealed_->spawned().end());
   }
   for (std::size_t i = 0; i < counts_.by_kind.size(); ++i) {

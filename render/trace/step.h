@@ -89,14 +89,17 @@ class Stepper {
   Rgb reflectivity(const Surface& surface, const Finish& finish, const Rgb& color, double& adc_weight) const;
   double relative_ior(const Surface& surface) const;
 
-  void add_light(std::uint32_t sample, const Rgb& light);
+  /// Adds to the sum of the task at hand.
+  void add_light(const Rgb& light) { sum_ += FixedRgb::from(light); }
+  /// Hands the sum to the film and begins a new one.
+  void give_sum_to(std::uint32_t sample);
   RayTask child_of(const Surface& surface, RayKind kind) const;
   void spawn(const RayTask& task);
   /// Adds weight * colour(root) ^ exponent: not a sum over rays, so the subtree is evaluated here, depth first.
   void add_sealed(RayTask root, const Rgb& weight, double exponent);
   Rgb trace_sealed(const RayTask& root);
   /// Share of the light that passes all that is between the feeler's origin and `distance`.
-  Rgb passing_light(const RayTask& feeler, Ray ray, double distance) const;
+  Rgb passing_light(std::uint32_t medium, Ray ray, double distance) const;
 
   TraceContext context_;
   bool has_transparent_casters_ = false;
@@ -104,6 +107,7 @@ class Stepper {
   std::vector<Hit> hits_;
   std::vector<std::uint8_t> blocked_;
   std::vector<Layer> layers_;
+  FixedRgb sum_;
   std::vector<Contribution> light_;
   std::vector<RayTask> spawned_;
   std::unique_ptr<Stepper> sealed_;  ///< made when first needed

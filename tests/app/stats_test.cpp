@@ -43,6 +43,7 @@ TEST(Stats, HoldEveryNumberUnderItsName) {
   stats.rays.rays.of(render::RayKind::primary) = 600;
   stats.rays.rays.of(render::RayKind::shadow) = 7;
   stats.rays.peak_rays = 11;
+  stats.rays.bytes_per_ray = 64;
   const auto json = nlohmann::json::parse(to_json(stats));
   EXPECT_EQ(json["scheme"], "level");
   EXPECT_EQ(json["threads"], 2);

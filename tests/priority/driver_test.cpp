@@ -74,9 +74,8 @@ TEST(Driver, StatisticsDescribeTheQueue) {
   MirrorRoom room(/*depth=*/1);
   const TraceStatistics queued = render_with(room, "contribution", 1).result.statistics;
   EXPECT_GT(queued.peak_rays, 0u);
-  EXPECT_GE(queued.peak_bytes, queued.peak_rays * queued.bytes_per_ray);
   EXPECT_LE(queued.peak_rays, queued.worst_case_rays);
-  EXPECT_EQ(queued.bytes_per_ray, 64u);
+  EXPECT_NEAR(queued.bytes_per_ray * static_cast<double>(queued.peak_rays), static_cast<double>(queued.peak_bytes), 1.0);
   EXPECT_TRUE(queued.first_image.has_value());
   const TraceStatistics recursive = render_with(room, "recursive", 1).result.statistics;
   EXPECT_EQ(recursive.peak_rays, 0u);

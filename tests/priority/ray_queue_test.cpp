@@ -20,7 +20,7 @@ using render::RayTask;
 RayTask task_of(std::uint32_t sample) {
   RayTask task;
   task.origin = render::Vec3(0.0);
-  task.weight = render::Rgb(1.0f);
+  task.radiance.set_weight(render::Rgb(1.0f));
   task.sample = sample;
   return task;
 }

@@ -15,7 +15,12 @@ RayTask task(RayKind kind, float weight, int level = 0) {
   RayTask out;
   out.origin = render::Vec3(0.0);
   out.kind = kind;
-  out.weight = Rgb(weight * 0.5f, weight, weight * 0.25f);
+  const Rgb light(weight * 0.5f, weight, weight * 0.25f);
+  if (kind == RayKind::shadow) {
+    out.set_feeler(0, render::PackedRgb(light));
+  } else {
+    out.radiance.set_weight(light);
+  }
   out.level = static_cast<std::uint8_t>(level);
   return out;
 }

@@ -17,7 +17,7 @@ std::vector<Contribution> random_light(std::uint32_t samples, std::size_t count)
   std::uniform_real_distribution<float> value(-3.0f, 40.0f);
   std::vector<Contribution> light(count);
   for (Contribution& c : light) {
-    c = {static_cast<std::uint32_t>(random() % samples), Rgb(value(random), value(random), value(random))};
+    c = {static_cast<std::uint32_t>(random() % samples), FixedRgb::from({value(random), value(random), value(random)})};
   }
   return light;
 }
@@ -47,26 +47,26 @@ TEST(Film, ThreadsAddToTheSameSums) {
 TEST(Film, TakingBackWhatWasAddedLeavesNothing) {
   Film film(1, 1);
   const Rgb light(0.1f, 1.0f / 3.0f, 1e-7f);
-  film.add(std::vector<Contribution>{{0, light}, {0, -light}}, true);
+  film.add(std::vector<Contribution>{{0, FixedRgb::from(light)}, {0, FixedRgb::from(-light)}}, true);
   EXPECT_EQ(film.color(0, 0), Rgb(0.0f));
 }
 
 TEST(Film, SampleNumbersRunAlongRowsFromTheTop) {
   Film film(3, 2);
-  film.add(std::vector<Contribution>{{4, Rgb(0.5f)}}, true);
+  film.add(std::vector<Contribution>{{4, FixedRgb::from(Rgb(0.5f))}}, true);
   EXPECT_EQ(film.color(1, 1), Rgb(0.5f));
   EXPECT_EQ(film.color(1, 0), Rgb(0.0f));
 }
 
 TEST(Film, NotANumberAddsNothing) {
   Film film(1, 1);
-  film.add(std::vector<Contribution>{{0, Rgb(std::numeric_limits<float>::quiet_NaN(), 0.25f, 0.5f)}}, true);
+  film.add(std::vector<Contribution>{{0, FixedRgb::from({std::numeric_limits<float>::quiet_NaN(), 0.25f, 0.5f})}}, true);
   EXPECT_EQ(film.color(0, 0), Rgb(0.0f, 0.25f, 0.5f));
 }
 
 TEST(Film, EnormousLightIsCutNotWrapped) {
   Film film(1, 1);
-  film.add(std::vector<Contribution>{{0, Rgb(std::numeric_limits<float>::infinity(), -1e30f, 1.0f)}}, true);
+  film.add(std::vector<Contribution>{{0, FixedRgb::from({std::numeric_limits<float>::infinity(), -1e30f, 1.0f})}}, true);
   EXPECT_EQ(film.color(0, 0), Rgb(16777216.0f, -16777216.0f, 1.0f));
 }
 

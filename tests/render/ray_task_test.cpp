@@ -2,7 +2,11 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+#include <limits>
 #include <random>
+#include <utility>
+#include <vector>
 
 namespace firstlight::render {
 namespace {
@@ -28,10 +32,48 @@ TEST(PackedDirection, LengthDoesNotMatter) {
   EXPECT_LT((unit.unpack() - longer.unpack()).length(), 1e-9);
 }
 
-TEST(RayTask, AFeelerKeepsItsLightWhereARayKeepsItsDirection) {
-  RayTask feeler;
-  feeler.set_light(70000);
-  EXPECT_EQ(feeler.light(), 70000u);
+TEST(RayTask, ARecordHoldsThreeFeelersOfNeighbouringLights) {
+  RayTask task;
+  const PackedRgb light(Rgb(0.5f, 0.25f, 0.125f));
+  task.set_feeler(70000, light);
+  EXPECT_TRUE(task.add_feeler(70001, PackedRgb(Rgb(1.0f))));
+  EXPECT_TRUE(task.add_feeler(70008, light));
+  EXPECT_FALSE(task.add_feeler(70009, light));
+  EXPECT_EQ(task.ray_count(), 3);
+  std::vector<std::pair<std::uint32_t, Rgb>> feelers;
+  task.for_each_feeler([&](std::uint32_t index, const PackedRgb& at_stake) {
+    feelers.emplace_back(index, at_stake.unpack());
+  });
+  const Rgb expected(0.5f, 0.25f, 0.125f);
+  EXPECT_EQ(feelers, (std::vector<std::pair<std::uint32_t, Rgb>>{{70000, expected}, {70001, Rgb(1.0f)}, {70008, expected}}));
+}
+
+TEST(RayTask, AFarLightNeedsARecordOfItsOwn) {
+  RayTask task;
+  task.set_feeler(2, PackedRgb(Rgb(1.0f)));
+  EXPECT_FALSE(task.add_feeler(11, PackedRgb(Rgb(1.0f))));
+  EXPECT_EQ(task.ray_count(), 1);
+}
+
+TEST(PackedRgb, KeepsEachComponentToAMillionthPartOrSoOfTheLargest) {
+  std::mt19937 random(3);
+  std::uniform_real_distribution<float> value(-1.0f, 1.0f);
+  std::uniform_int_distribution<int> exponent(-100, 100);
+  for (int i = 0; i < 10000; ++i) {
+    const Rgb color = Rgb(value(random), value(random), value(random)) * std::ldexp(1.0f, exponent(random));
+    const Rgb kept = PackedRgb(color).unpack();
+    const float tolerance = max_magnitude(color) * 0x1p-16f;
+    EXPECT_NEAR(kept.x, color.x, tolerance);
+    EXPECT_NEAR(kept.y, color.y, tolerance);
+    EXPECT_NEAR(kept.z, color.z, tolerance);
+    EXPECT_EQ(PackedRgb(kept).unpack(), kept);
+  }
+}
+
+TEST(PackedRgb, WhatIsNotFiniteIsBlack) {
+  EXPECT_EQ(PackedRgb(Rgb(0.0f)).unpack(), Rgb(0.0f));
+  EXPECT_EQ(PackedRgb(Rgb(1.0f, std::numeric_limits<float>::infinity(), 0.0f)).unpack(), Rgb(0.0f));
+  EXPECT_EQ(PackedRgb(Rgb(std::numeric_limits<float>::quiet_NaN())).unpack(), Rgb(0.0f));
 }
 
 }  // namespace
