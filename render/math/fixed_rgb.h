@@ -1,6 +1,7 @@
 #pragma once
 
 #include "render/math/color.h"
+#include "render/math/packed_rgb.h"
 
 #include <algorithm>
 #include <cmath>
@@ -16,6 +17,12 @@ struct FixedRgb {
 
   /// Rounds to the nearest step; components beyond 2^24 in size are cut there, not-a-number is 0.
   static FixedRgb from(const Rgb& color) { return {to_fixed(color.x), to_fixed(color.y), to_fixed(color.z)}; }
+  /// The same colour however often it is asked for, so that what was added can be taken away again to the last bit.
+  static FixedRgb from(const PackedRgb& color) {
+    const int shift = static_cast<int>(color.biased_exponent()) - PackedRgb::kExponentOfOne + kStepBits;
+    if (shift > kLargestShift) return from(color.unpack());
+    return {shifted(color.mantissa(0), shift), shifted(color.mantissa(1), shift), shifted(color.mantissa(2), shift)};
+  }
   Rgb to_rgb() const { return {to_float(r), to_float(g), to_float(b)}; }
 
   FixedRgb& operator+=(const FixedRgb& other) {
@@ -24,6 +31,7 @@ struct FixedRgb {
     b = sum(b, other.b);
     return *this;
   }
+  FixedRgb& operator-=(const FixedRgb& other) { return *this += {-other.r, -other.g, -other.b}; }
   bool operator==(const FixedRgb&) const = default;
   /// Wraps instead of overflowing, so that even absurd scenes end in the same picture in any order.
   static std::int64_t sum(std::int64_t a, std::int64_t b) {
@@ -31,13 +39,22 @@ struct FixedRgb {
   }
 
  private:
+  static constexpr int kStepBits = 36;
   static constexpr double kStepsPerUnit = 68719476736.0;  // 2^36
-  static constexpr double kLimit = 16777216.0;            // 2^24
+  static constexpr float kLimit = 16777216.0f;            // 2^24
 
   static std::int64_t to_fixed(float value) {
-    if (std::isnan(value)) return 0;
-    return std::llrint(std::clamp(static_cast<double>(value), -kLimit, kLimit) * kStepsPerUnit);
+    if (!(std::abs(value) <= kLimit)) return std::isnan(value) ? 0 : to_fixed(std::copysign(kLimit, value));
+    const double steps = static_cast<double>(value) * kStepsPerUnit;
+    return static_cast<std::int64_t>(steps + std::copysign(0.5, steps));
   }
+  /// mantissa * 2^shift, rounded.
+  static std::int64_t shifted(std::int64_t mantissa, int shift) {
+    if (shift >= 0) return mantissa * (std::int64_t{1} << shift);
+    if (shift < -kLargestShift) return 0;
+    return (mantissa + (std::int64_t{1} << (-shift - 1))) >> -shift;
+  }
+  static constexpr int kLargestShift = 42;  // a mantissa of 18 bits stays below the limit
   static float to_float(std::int64_t steps) { return static_cast<float>(static_cast<double>(steps) / kStepsPerUnit); }
 };
 

@@ -19,16 +19,25 @@ class PackedRgb {
     const std::uint32_t exponent = std::bit_cast<std::uint32_t>(max_magnitude(color)) >> 23 & 0xffu;
     if (exponent < kSmallest || exponent == 0xffu) return;
     const float scale = power_of_two(kBias + kMantissaBits - 1 - (exponent - kBias + 1));
-    bits_ = mantissa(color.x * scale) | mantissa(color.y * scale) << kMantissaBits |
-            mantissa(color.z * scale) << (2 * kMantissaBits) | std::uint64_t{exponent} << (3 * kMantissaBits);
+    bits_ = rounded(color.x * scale) | rounded(color.y * scale) << kMantissaBits |
+            rounded(color.z * scale) << (2 * kMantissaBits) | std::uint64_t{exponent} << (3 * kMantissaBits);
   }
 
   Rgb unpack() const {
-    const auto exponent = static_cast<std::uint32_t>(bits_ >> (3 * kMantissaBits));
+    const std::uint32_t exponent = biased_exponent();
     if (exponent == 0) return Rgb(0.0f);
     const float step = power_of_two(exponent + 1 - (kMantissaBits - 1));
-    return {component(0) * step, component(1) * step, component(2) * step};
+    return {static_cast<float>(mantissa(0)) * step, static_cast<float>(mantissa(1)) * step,
+            static_cast<float>(mantissa(2)) * step};
   }
+
+  /// Component = mantissa * 2^(biased_exponent() - kExponentOfOne). Pre: index < 3.
+  std::int64_t mantissa(std::uint32_t index) const {
+    constexpr std::uint32_t kUnused = 64 - kMantissaBits;
+    return static_cast<std::int64_t>(bits_ << (kUnused - index * kMantissaBits)) >> kUnused;
+  }
+  std::uint32_t biased_exponent() const { return static_cast<std::uint32_t>(bits_ >> (3 * kMantissaBits)); }
+  static constexpr int kExponentOfOne = 143;
 
  private:
   static constexpr std::uint32_t kBias = 127;  // of a float's exponent
@@ -37,16 +46,10 @@ class PackedRgb {
   static constexpr float kLargestMantissa = 131071.0f;
 
   static float power_of_two(std::uint32_t biased) { return std::bit_cast<float>(biased << 23); }
-  static std::uint64_t mantissa(float scaled) {
-    const auto rounded = static_cast<std::int32_t>(std::lrint(std::clamp(scaled, -kLargestMantissa, kLargestMantissa)));
-    return static_cast<std::uint32_t>(rounded) & ((1u << kMantissaBits) - 1);
+  static std::uint64_t rounded(float scaled) {
+    const float away = std::clamp(scaled, -kLargestMantissa, kLargestMantissa) + std::copysign(0.5f, scaled);
+    return static_cast<std::uint32_t>(static_cast<std::int32_t>(away)) & ((1u << kMantissaBits) - 1);
   }
-  float component(std::uint32_t index) const {
-    constexpr std::uint32_t kUnused = 64 - kMantissaBits;
-    const auto top = static_cast<std::int64_t>(bits_ << (kUnused - index * kMantissaBits));
-    return static_cast<float>(top >> kUnused);
-  }
-
   std::uint64_t bits_ = 0;
 };
 

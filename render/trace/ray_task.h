@@ -94,7 +94,7 @@ struct RayTask {
   RayTask() : radiance() {}
 
   /// How many rays the record stands for.
-  int ray_count() const { return 1 + std::popcount(more_lights); }
+  int ray_count() const { return 1 + (more_lights != 0 ? 1 : 0) + ((more_lights & (more_lights - 1)) != 0 ? 1 : 0); }
   /// Turns the record into one feeler.
   void set_feeler(std::uint32_t light, PackedRgb at_stake) {
     kind = RayKind::shadow;
@@ -126,7 +126,7 @@ static_assert(std::is_trivially_destructible_v<RayTask>);
 /// Rays in `tasks`.
 inline std::uint64_t ray_count(std::span<const RayTask> tasks) {
   std::uint64_t count = tasks.size();
-  for (const RayTask& task : tasks) count += static_cast<std::uint64_t>(std::popcount(task.more_lights));
+  for (const RayTask& task : tasks) count += static_cast<std::uint64_t>(task.ray_count() - 1);
   return count;
 }
 

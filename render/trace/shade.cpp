@@ -124,7 +124,7 @@ void Stepper::shade_lights(const Surface& surface) {
     }
     // What is added is what the feeler can keep, so that a blocked light leaves nothing behind.
     const PackedRgb at_stake(weighted);
-    add_light(at_stake.unpack());
+    sum_ += FixedRgb::from(at_stake);
     if (feelers > 0 && spawned_.back().add_feeler(i, at_stake)) continue;
     spawned_.push_back(child_of(surface, RayKind::shadow));
     spawned_.back().set_feeler(i, at_stake);

@@ -93,7 +93,7 @@ void Stepper::step_shadow(std::span<const RayTask> tasks) {
     task.for_each_feeler([&](std::uint32_t, const PackedRgb& at_stake) {
       const RayQuery& query = queries_[i];
       if (blocked_[i++] != 0) {
-        add_light(-at_stake.unpack());
+        sum_ -= FixedRgb::from(at_stake);
       } else if (has_transparent_casters_) {
         const Rgb passed = passing_light(task.medium, query.ray, query.max_depth + kShadowGap);
         if (passed != Rgb(1.0f)) add_light(at_stake.unpack() * (passed - Rgb(1.0f)));
