@@ -21,36 +21,60 @@ struct LeafHead {
   bool opaque = false;  ///< for a solid of several parts: any of them
 };
 
+/// How many spheres or planes are tested at once.
+constexpr std::size_t kLanes = 8;
+
+/// Eight spheres side by side. An unused lane has a radius squared of minus infinity, so no ray meets it.
+struct alignas(64) SphereBlock {
+  double center[3][kLanes];
+  double radius_squared[kLanes];
+};
+/// Eight planes side by side. An unused lane has a normal of zero, so no ray meets it.
+struct alignas(64) PlaneBlock {
+  double normal[3][kLanes];
+  double offset[kLanes];
+  std::uint8_t hidden_from;  ///< the bits of any of them
+};
+
+/// What is asked of a sphere after it was met: lane l of block b is leaf 8 b + l.
 struct SphereLeaf {
-  Vec3 center;
-  double radius_squared;
+  FloatBox bounds;
   LeafHead head;
 };
 struct BoxLeaf {
   AxisBox box;
-  LeafHead head;
-};
-struct PlaneLeaf {
-  const Plane* plane;
+  FloatBox bounds;
   LeafHead head;
 };
 struct SolidLeaf {
   const Solid* geometry;
+  FloatBox bounds;
   LeafHead head;
 };
 
 /// The scene's solids as the traversal meets them. Round spheres, axis-aligned boxes and planes without clips and
 /// bounds are unpacked, so they cost no virtual call and no list; everything else is asked through its solid.
 struct Leaves {
+  std::vector<SphereBlock> sphere_blocks;
   std::vector<SphereLeaf> spheres;
   std::vector<BoxLeaf> boxes;
   std::vector<SolidLeaf> solids;
-  std::vector<PlaneLeaf> planes;   ///< tested for every ray, as are the next
-  std::vector<ChildRef> beside;    ///< leaves whose box does not fit a tree
-  std::vector<bool> opaque_parts;  ///< Part::opaque of each part
+  std::vector<PlaneBlock> plane_blocks;  ///< met by every ray, in the order of their solids, as are the next
+  std::vector<LeafHead> planes;          ///< lane l of block b is plane 8 b + l
+  std::vector<ChildRef> beside;          ///< leaves whose box does not fit a tree
+  std::vector<bool> opaque_parts;        ///< Part::opaque of each part
   WideTree tree;
 
   explicit Leaves(const Scene& scene);
+
+ private:
+  struct RoundSphere {
+    const Sphere* sphere;
+    SphereLeaf leaf;
+  };
+
+  void add_plane(const Plane& plane, const LeafHead& head);
+  void add_block(const std::vector<RoundSphere>& all, const SphereGroup& group);
 };
 
 // The bodies of the hierarchy's traversal, for the best instruction set that the machine has.

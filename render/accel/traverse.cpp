@@ -1,155 +1,97 @@
 #include "render/accel/leaves.h"
 
-// This file is compiled once for each instruction set; the best one that the machine has is chosen at run time. Only
-// the box tests use vectors, and they round alike for every width, so the answers do not depend on the machine.
+// This file is compiled once for each instruction set; the best one that the machine has is chosen at run time. What
+// differs between them is which children of nodes are visited, never which crossings count.
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "render/accel/traverse.cpp"
 #include <hwy/foreach_target.h>
 #include <hwy/highway.h>
 
+#include <limits>
+#include <vector>
+
+#include "render/accel/box_test-inl.h"
+#include "render/accel/leaf_test-inl.h"
+
 HWY_BEFORE_NAMESPACE();
 namespace firstlight::render {
 namespace HWY_NAMESPACE {
 
-namespace hn = hwy::HWY_NAMESPACE;
-
-/// A ray prepared for box tests.
-struct BoxRay {
-  double origin[3];
-  double inverse[3];
-  int near_row[3];  ///< row of WideNode::bounds where the ray enters, by axis; the other row of the pair is the exit
-  double min_depth;
-
-  explicit BoxRay(const RayQuery& query) : min_depth(query.min_depth) {
-    // A direction of zero becomes one of almost zero: the products below stay numbers, and a ray in the plane of a
-    // face is decided by which side of the face it lies on.
-    constexpr double kAlmostZero = 1e-300;
-    for (int axis = 0; axis < 3; ++axis) {
-      double d = query.ray.direction[axis];
-      if (std::abs(d) < kAlmostZero) d = std::copysign(kAlmostZero, d);
-      origin[axis] = query.ray.origin[axis];
-      inverse[axis] = 1.0 / d;
-      near_row[axis] = 2 * axis + (d < 0.0 ? 1 : 0);
-    }
-  }
-};
-
-/// Bits of the slots that the ray meets between its min_depth and `max_depth`; `near` gets where it enters them.
-///
-/// A slab's depth (face - origin) / direction is computed with three roundings; the exit is moved away by more than
-/// twice that, so no box that the exact ray meets is missed. [Ize, Robust BVH Ray Traversal, 2013]
-/// Each operation is monotone: a box within another is never entered before it, nor left after it.
-HWY_INLINE unsigned meet_boxes(const WideNode& node, const BoxRay& ray, double max_depth, double* HWY_RESTRICT near) {
-  const hn::CappedTag<double, kTreeWidth> wide;
-  const hn::Rebind<float, decltype(wide)> narrow;
-  constexpr double kAway = 1.0 + 2e-15;
-  const auto min_depth = hn::Set(wide, ray.min_depth);
-  const auto last = hn::Set(wide, max_depth);
-  const auto away = hn::Set(wide, kAway);
-  unsigned bits = 0;
-  for (std::size_t slot = 0; slot < kTreeWidth; slot += hn::Lanes(wide)) {
-    auto enter = min_depth;
-    auto leave = hn::Set(wide, 1e308);
-    for (int axis = 0; axis < 3; ++axis) {
-      const auto origin = hn::Set(wide, ray.origin[axis]);
-      const auto inverse = hn::Set(wide, ray.inverse[axis]);
-      const int row = ray.near_row[axis];
-      const auto near_face = hn::PromoteTo(wide, hn::Load(narrow, node.bounds[row] + slot));
-      const auto far_face = hn::PromoteTo(wide, hn::Load(narrow, node.bounds[row ^ 1] + slot));
-      enter = hn::Max(enter, hn::Mul(hn::Sub(near_face, origin), inverse));
-      leave = hn::Min(leave, hn::Mul(hn::Sub(far_face, origin), inverse));
-    }
-    leave = hn::Min(hn::Mul(leave, away), last);
-    std::uint8_t byte[8] = {};
-    hn::StoreMaskBits(wide, hn::Le(enter, leave), byte);
-    bits |= static_cast<unsigned>(byte[0]) << slot;
-    hn::Store(enter, wide, near + slot);
-  }
-  return bits;
+/// For solids with many crossings.
+std::vector<Crossing>& scratch_of_thread() {
+  thread_local std::vector<Crossing> scratch;
+  return scratch;
 }
-
-/// Subtrees still to be visited, nearest on top.
-class Stack {
- public:
-  struct Entry {
-    double near;
-    ChildRef ref;
-  };
-
-  bool empty() const { return size_ == 0; }
-  Entry pop() { return entries_[--size_]; }
-  void push(const Entry& entry) { entries_[size_++] = entry; }
-  /// Pushes the children in `bits` so that the nearest comes out first.
-  void push_sorted(const WideNode& node, unsigned bits, const double* near) {
-    const std::size_t bottom = size_;
-    for (; bits != 0; bits &= bits - 1) {
-      const auto slot = static_cast<std::size_t>(__builtin_ctz(bits));
-      const Entry entry{near[slot], node.child[slot]};
-      std::size_t at = size_++;
-      for (; at > bottom && entries_[at - 1].near < entry.near; --at) entries_[at] = entries_[at - 1];
-      entries_[at] = entry;
-    }
-  }
-  void push_unsorted(const WideNode& node, unsigned bits, const double* near) {
-    for (; bits != 0; bits &= bits - 1) {
-      const auto slot = static_cast<std::size_t>(__builtin_ctz(bits));
-      push({near[slot], node.child[slot]});
-    }
-  }
-
- private:
-  Entry entries_[kTreeDepth * (kTreeWidth - 1) + kTreeWidth];
-  std::size_t size_ = 0;
-};
 
 /// Looks for the nearest crossing of one ray.
 ///
-/// `from` is where the ray enters the leaf's box. A crossing before it is an artefact of rounding far away from the
-/// object; were it taken, the answer could depend on which subtree is visited first.
+/// A crossing before the ray enters the leaf's box, or of a leaf whose box it misses, is an artefact of rounding far
+/// away from the object; were it taken, the answer could depend on which subtree is visited first.
 class ClosestSearch {
  public:
-  ClosestSearch(const Leaves& leaves, const RayQuery& query, std::vector<Crossing>& scratch)
-      : leaves_(leaves), query_(query), scratch_(scratch) {
+  static constexpr bool kNearestFirst = true;
+
+  ClosestSearch(const Leaves& leaves, const RayQuery& query) : leaves_(leaves), query_(query) {
     hit_.depth = query.max_depth;
     hit_.solid = 0;  // a crossing at exactly max_depth must not win the tie
   }
 
   double limit() const { return hit_.depth; }
-  bool done() const { return false; }
   Hit result() const {
     if (hit_.part == kNoIndex) return Hit();
     return hit_;
   }
 
-  void visit(const SphereLeaf& leaf, double from) {
-    if (hidden(leaf.head)) return;
-    double enters;
-    double leaves;
-    if (!meet_sphere(query_.ray, leaf.center, leaf.radius_squared, enters, leaves)) return;
-    if (sphere_depth_counts(leaves)) offer(leaves, 0, leaf.head, from);
-    if (sphere_depth_counts(enters)) offer(enters, 0, leaf.head, from);
-  }
-  void visit(const BoxLeaf& leaf, double from) {
-    if (hidden(leaf.head)) return;
-    Met met;
-    leaf.box.meet(query_.ray, met);
-    for (std::size_t i = met.count; i-- > 0;) offer(met.depth[i], met.face[i], leaf.head, from);
-  }
-  void visit(const PlaneLeaf& leaf) {
-    if (hidden(leaf.head)) return;
-    const double depth = leaf.plane->meet(query_.ray);
-    if (depth > 0.0) offer(depth, 0, leaf.head, 0.0);
-  }
-  void visit(const SolidLeaf& leaf, double from) {
-    if (hidden(leaf.head)) return;
-    scratch_.clear();
-    leaf.geometry->crossings(query_.ray, query_.hidden_bit, scratch_);
-    LeafHead head = leaf.head;
-    for (std::size_t i = scratch_.size(); i-- > 0;) {
-      head.shape = scratch_[i].shape;
-      head.part = scratch_[i].part;
-      offer(scratch_[i].depth, scratch_[i].face, head, from);
+  void visit_planes() {
+    alignas(64) double depths[kLanes];
+    for (std::size_t block = 0; block < leaves_.plane_blocks.size(); ++block) {
+      unsigned bits = meet_planes(leaves_.plane_blocks[block], query_, limit(), depths);
+      if (bits == 0) continue;
+      if ((leaves_.plane_blocks[block].hidden_from & query_.hidden_bit) == 0) {
+        // Of equal depths the first is of the lowest solid.
+        const std::size_t lane = least_of(depths);
+        offer(depths[lane], 0, leaves_.planes[block * kLanes + lane], 0.0);
+        continue;
+      }
+      for (; bits != 0; bits &= bits - 1) {
+        const auto lane = static_cast<std::size_t>(__builtin_ctz(bits));
+        const LeafHead& head = leaves_.planes[block * kLanes + lane];
+        if (!hidden(head)) offer(depths[lane], 0, head, 0.0);
+      }
     }
+  }
+  bool visit(ChildRef ref) {
+    double from = 0.0;
+    if (ref.kind() == ChildKind::sphere) {
+      SphereCrossings at;
+      unsigned bits = meet_spheres(leaves_.sphere_blocks[ref.index()], query_, limit(), at);
+      for (; bits != 0; bits &= bits - 1) {
+        const auto lane = static_cast<std::size_t>(__builtin_ctz(bits));
+        const SphereLeaf& leaf = leaves_.spheres[ref.index() * kLanes + lane];
+        if (hidden(leaf.head) || !ExactRay(query_).meets(leaf.bounds, from)) continue;
+        if (sphere_depth_counts(at.leaves[lane])) offer(at.leaves[lane], 0, leaf.head, from);
+        if (sphere_depth_counts(at.enters[lane])) offer(at.enters[lane], 0, leaf.head, from);
+      }
+    } else if (ref.kind() == ChildKind::box) {
+      const BoxLeaf& leaf = leaves_.boxes[ref.index()];
+      if (hidden(leaf.head) || !ExactRay(query_).meets(leaf.bounds, from)) return false;
+      Met met;
+      leaf.box.meet(query_.ray, met);
+      for (std::size_t i = met.count; i-- > 0;) offer(met.depth[i], met.face[i], leaf.head, from);
+    } else {
+      const SolidLeaf& leaf = leaves_.solids[ref.index()];
+      if (hidden(leaf.head) || !ExactRay(query_).meets(leaf.bounds, from) || from > limit()) return false;
+      std::vector<Crossing>& scratch = scratch_of_thread();
+      scratch.clear();
+      leaf.geometry->crossings(query_.ray, query_.hidden_bit, scratch);
+      LeafHead head = leaf.head;
+      for (std::size_t i = scratch.size(); i-- > 0;) {
+        head.shape = scratch[i].shape;
+        head.part = scratch[i].part;
+        offer(scratch[i].depth, scratch[i].face, head, from);
+      }
+    }
+    return false;
   }
 
  private:
@@ -164,117 +106,189 @@ class ClosestSearch {
 
   const Leaves& leaves_;
   const RayQuery& query_;
-  std::vector<Crossing>& scratch_;
   Hit hit_;
 };
 
-/// Looks for any opaque crossing of one ray.
+/// Looks for any opaque crossing of one ray; the visits tell whether there was one.
 class BlockingSearch {
  public:
-  BlockingSearch(const Leaves& leaves, const RayQuery& query, std::vector<Crossing>& scratch)
-      : leaves_(leaves), query_(query), scratch_(scratch) {}
+  static constexpr bool kNearestFirst = false;
+
+  BlockingSearch(const Leaves& leaves, const RayQuery& query) : leaves_(leaves), query_(query) {}
 
   double limit() const { return query_.max_depth; }
-  bool done() const { return blocked_; }
-  bool result() const { return blocked_; }
 
-  void visit(const SphereLeaf& leaf, double from) {
-    if (transparent(leaf.head)) return;
-    double enters;
-    double leaves;
-    if (!meet_sphere(query_.ray, leaf.center, leaf.radius_squared, enters, leaves)) return;
-    if (sphere_depth_counts(enters)) offer(enters, from);
-    if (sphere_depth_counts(leaves)) offer(leaves, from);
-  }
-  void visit(const BoxLeaf& leaf, double from) {
-    if (transparent(leaf.head)) return;
-    Met met;
-    leaf.box.meet(query_.ray, met);
-    for (std::size_t i = 0; i < met.count; ++i) offer(met.depth[i], from);
-  }
-  void visit(const PlaneLeaf& leaf) {
-    if (transparent(leaf.head)) return;
-    const double depth = leaf.plane->meet(query_.ray);
-    if (depth > 0.0) offer(depth, 0.0);
-  }
-  void visit(const SolidLeaf& leaf, double from) {
-    if (transparent(leaf.head)) return;
-    scratch_.clear();
-    leaf.geometry->crossings(query_.ray, query_.hidden_bit, scratch_);
-    for (const Crossing& crossing : scratch_) {
-      if (leaves_.opaque_parts[crossing.part]) offer(crossing.depth, from);
+  bool visit_planes() const {
+    alignas(64) double depths[kLanes];
+    for (std::size_t block = 0; block < leaves_.plane_blocks.size(); ++block) {
+      unsigned bits = meet_planes(leaves_.plane_blocks[block], query_, limit(), depths);
+      for (; bits != 0; bits &= bits - 1) {
+        const auto lane = static_cast<std::size_t>(__builtin_ctz(bits));
+        if (!transparent(leaves_.planes[block * kLanes + lane]) && blocks(depths[lane], 0.0)) return true;
+      }
     }
+    return false;
+  }
+  bool visit(ChildRef ref) const {
+    double from = 0.0;
+    if (ref.kind() == ChildKind::sphere) {
+      SphereCrossings at;
+      unsigned bits = meet_spheres(leaves_.sphere_blocks[ref.index()], query_, limit(), at);
+      for (; bits != 0; bits &= bits - 1) {
+        const auto lane = static_cast<std::size_t>(__builtin_ctz(bits));
+        const SphereLeaf& leaf = leaves_.spheres[ref.index() * kLanes + lane];
+        if (transparent(leaf.head) || !ExactRay(query_).meets(leaf.bounds, from)) continue;
+        if (sphere_depth_counts(at.leaves[lane]) && blocks(at.leaves[lane], from)) return true;
+        if (sphere_depth_counts(at.enters[lane]) && blocks(at.enters[lane], from)) return true;
+      }
+    } else if (ref.kind() == ChildKind::box) {
+      const BoxLeaf& leaf = leaves_.boxes[ref.index()];
+      if (transparent(leaf.head) || !ExactRay(query_).meets(leaf.bounds, from)) return false;
+      Met met;
+      leaf.box.meet(query_.ray, met);
+      for (std::size_t i = 0; i < met.count; ++i) {
+        if (blocks(met.depth[i], from)) return true;
+      }
+    } else {
+      const SolidLeaf& leaf = leaves_.solids[ref.index()];
+      if (transparent(leaf.head) || !ExactRay(query_).meets(leaf.bounds, from) || from > limit()) return false;
+      std::vector<Crossing>& scratch = scratch_of_thread();
+      scratch.clear();
+      leaf.geometry->crossings(query_.ray, query_.hidden_bit, scratch);
+      for (const Crossing& crossing : scratch) {
+        if (leaves_.opaque_parts[crossing.part] && blocks(crossing.depth, from)) return true;
+      }
+    }
+    return false;
   }
 
  private:
   bool transparent(const LeafHead& head) const { return !head.opaque || (head.hidden_from & query_.hidden_bit) != 0; }
-  void offer(double depth, double from) {
-    if (depth > query_.min_depth && depth < query_.max_depth && depth >= from) blocked_ = true;
+  bool blocks(double depth, double from) const {
+    return depth > query_.min_depth && depth < query_.max_depth && depth >= from;
   }
 
   const Leaves& leaves_;
   const RayQuery& query_;
-  std::vector<Crossing>& scratch_;
-  bool blocked_ = false;
 };
 
-template <class Search>
-HWY_INLINE void visit_leaf(const Leaves& leaves, ChildRef ref, double from, Search& search) {
-  if (ref.kind() == ChildKind::sphere) {
-    search.visit(leaves.spheres[ref.index()], from);
-  } else if (ref.kind() == ChildKind::box) {
-    search.visit(leaves.boxes[ref.index()], from);
-  } else {
-    search.visit(leaves.solids[ref.index()], from);
+/// Subtrees still to be visited.
+template <class Depth>
+class Stack {
+ public:
+  struct Entry {
+    Depth near;
+    ChildRef ref;
+  };
+
+  bool empty() const { return size_ == 0; }
+  Entry pop() { return entries_[--size_]; }
+  void push(const Entry& entry) { entries_[size_++] = entry; }
+  /// Pushes the children in `bits` so that the nearest comes out first.
+  void push_sorted(const WideNode& node, unsigned bits, const Depth* near) {
+    const std::size_t bottom = size_;
+    for (; bits != 0; bits &= bits - 1) {
+      const auto slot = static_cast<std::size_t>(__builtin_ctz(bits));
+      const Entry entry{near[slot], node.child[slot]};
+      std::size_t at = size_++;
+      for (; at > bottom && entries_[at - 1].near < entry.near; --at) entries_[at] = entries_[at - 1];
+      entries_[at] = entry;
+    }
+  }
+
+ private:
+  Entry entries_[kTreeDepth * (kTreeWidth - 1) + kTreeWidth];
+  std::size_t size_ = 0;
+};
+
+/// Nearest first, so that the limit comes down quickly.
+template <class BoxRay>
+HWY_INLINE void walk(const WideTree& tree, const BoxRay& ray, ClosestSearch& search) {
+  using Depth = typename BoxRay::Depth;
+  const WideNode* nodes = tree.nodes().data();
+  Depth last = BoxRay::above(search.limit());
+  Stack<Depth> stack;
+  stack.push({std::numeric_limits<Depth>::lowest(), ChildRef::of(ChildKind::node, 0)});
+  while (!stack.empty()) {
+    const auto entry = stack.pop();
+    if (entry.near > last) continue;
+    ChildRef ref = entry.ref;
+    while (ref.kind() == ChildKind::node) {
+      const WideNode& node = nodes[ref.index()];
+      alignas(64) Depth near[kTreeWidth];
+      const unsigned bits = ray.meet_children(node, last, near);
+      if ((bits & (bits - 1)) == 0) {
+        if (bits == 0) break;
+        ref = node.child[__builtin_ctz(bits)];
+      } else {
+        stack.push_sorted(node, bits, near);
+        ref = stack.pop().ref;
+      }
+    }
+    if (ref.kind() != ChildKind::node) {
+      search.visit(ref);
+      last = BoxRay::above(search.limit());
+    }
   }
 }
 
-template <bool kSorted, class Search>
-HWY_INLINE void walk(const Leaves& leaves, const RayQuery& query, Search& search) {
-  for (const PlaneLeaf& plane : leaves.planes) search.visit(plane);
-  for (const ChildRef ref : leaves.beside) visit_leaf(leaves, ref, 0.0, search);
-  if (leaves.tree.nodes().empty()) return;
-
-  const BoxRay ray(query);
-  const WideNode* nodes = leaves.tree.nodes().data();
-  Stack stack;
-  stack.push({query.min_depth, ChildRef::of(ChildKind::node, 0)});
-  while (!stack.empty() && !search.done()) {
-    const Stack::Entry entry = stack.pop();
-    if (entry.near > search.limit()) continue;
-    if (entry.ref.kind() != ChildKind::node) {
-      visit_leaf(leaves, entry.ref, entry.near, search);
-      continue;
-    }
-    const WideNode& node = nodes[entry.ref.index()];
-    alignas(64) double near[kTreeWidth];
-    const unsigned bits = meet_boxes(node, ray, search.limit(), near);
-    if constexpr (kSorted) {
-      stack.push_sorted(node, bits, near);
-    } else {
-      stack.push_unsorted(node, bits, near);
+/// Whether anything blocks; leaves are asked at once, as any answer ends the search.
+template <class BoxRay>
+HWY_INLINE bool walk(const WideTree& tree, const BoxRay& ray, const BlockingSearch& search) {
+  const WideNode* nodes = tree.nodes().data();
+  std::uint32_t stack[kTreeDepth * (kTreeWidth - 1) + kTreeWidth];
+  std::size_t size = 0;
+  const auto last = BoxRay::above(search.limit());
+  stack[size++] = 0;
+  while (size != 0) {
+    const WideNode& node = nodes[stack[--size]];
+    alignas(64) typename BoxRay::Depth near[kTreeWidth];
+    for (unsigned bits = ray.meet_children(node, last, near); bits != 0; bits &= bits - 1) {
+      const ChildRef ref = node.child[__builtin_ctz(bits)];
+      if (ref.kind() == ChildKind::node) {
+        stack[size++] = ref.index();
+      } else if (search.visit(ref)) {
+        return true;
+      }
     }
   }
+  return false;
 }
-
-thread_local std::vector<Crossing> scratch_of_thread;
 
 void closest_of_block(const Leaves& leaves, std::span<const RayQuery> queries, std::span<Hit> hits) {
-  std::vector<Crossing>& scratch = scratch_of_thread;
   for (std::size_t i = 0; i < queries.size(); ++i) {
-    ClosestSearch search(leaves, queries[i], scratch);
-    walk<true>(leaves, queries[i], search);
+    const RayQuery& query = queries[i];
+    ClosestSearch search(leaves, query);
+    search.visit_planes();
+    for (const ChildRef ref : leaves.beside) search.visit(ref);
+    if (!leaves.tree.nodes().empty()) {
+      if (const FloatRay ray(query, leaves.tree.float_limits()); ray.usable()) {
+        walk(leaves.tree, ray, search);
+      } else {
+        walk(leaves.tree, ExactRay(query), search);
+      }
+    }
     hits[i] = search.result();
   }
 }
 
-void occluded_of_block(const Leaves& leaves, std::span<const RayQuery> queries, std::span<std::uint8_t> blocked) {
-  std::vector<Crossing>& scratch = scratch_of_thread;
-  for (std::size_t i = 0; i < queries.size(); ++i) {
-    BlockingSearch search(leaves, queries[i], scratch);
-    walk<false>(leaves, queries[i], search);
-    blocked[i] = search.result() ? 1 : 0;
+bool is_blocked(const Leaves& leaves, const RayQuery& query) {
+  const BlockingSearch search(leaves, query);
+  if (!leaves.tree.nodes().empty()) {
+    if (const FloatRay ray(query, leaves.tree.float_limits()); ray.usable()) {
+      if (walk(leaves.tree, ray, search)) return true;
+    } else {
+      if (walk(leaves.tree, ExactRay(query), search)) return true;
+    }
   }
+  for (const ChildRef ref : leaves.beside) {
+    if (search.visit(ref)) return true;
+  }
+  return search.visit_planes();
+}
+
+void occluded_of_block(const Leaves& leaves, std::span<const RayQuery> queries, std::span<std::uint8_t> blocked) {
+  for (std::size_t i = 0; i < queries.size(); ++i) blocked[i] = is_blocked(leaves, queries[i]) ? 1 : 0;
 }
 
 }  // namespace HWY_NAMESPACE

@@ -4,48 +4,29 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <memory>
 
 namespace firstlight::render {
 namespace {
 
-constexpr double kLargestCoordinate = 1e15;
+constexpr std::size_t kLargestLeaf = std::tuple_size_v<SphereGroup>;
+static_assert(kLargestLeaf <= kTreeWidth, "a leaf of mixed items becomes one node");
 
-struct FloatBox {
-  float low[3];
-  float high[3];
-};
-
-float rounded_down(double v) {
-  const float f = static_cast<float>(v);
-  return static_cast<double>(f) > v ? std::nextafter(f, -std::numeric_limits<float>::infinity()) : f;
-}
-
-float rounded_up(double v) {
-  const float f = static_cast<float>(v);
-  return static_cast<double>(f) < v ? std::nextafter(f, std::numeric_limits<float>::infinity()) : f;
-}
-
-FloatBox rounded_out(const Box3& box) {
-  FloatBox out;
-  for (int axis = 0; axis < 3; ++axis) {
-    out.low[axis] = rounded_down(box.min[axis]);
-    out.high[axis] = rounded_up(box.max[axis]);
-  }
-  return out;
-}
-
-/// A node as the builder makes it: a leaf holds the number of its item, an inner node its children.
+/// A node as the builder makes it: a leaf holds the numbers of its items, an inner node its children.
 struct BuildNode {
-  std::uint32_t item = 0;
+  unsigned item_count = 0;
   unsigned child_count = 0;  ///< 0: a leaf
-  BuildNode* children[kTreeWidth] = {};
+  union {
+    std::uint32_t items[kLargestLeaf];
+    BuildNode* children[kTreeWidth];
+  };
 };
 
-void* create_node(RTCThreadLocalAllocator allocator, unsigned, void*) {
+BuildNode* allocate(RTCThreadLocalAllocator allocator) {
   return new (rtcThreadLocalAlloc(allocator, sizeof(BuildNode), alignof(BuildNode))) BuildNode;
 }
+
+void* create_node(RTCThreadLocalAllocator allocator, unsigned, void*) { return allocate(allocator); }
 
 void set_children(void* node, void** children, unsigned count, void*) {
   auto& parent = *static_cast<BuildNode*>(node);
@@ -55,64 +36,130 @@ void set_children(void* node, void** children, unsigned count, void*) {
 
 void set_bounds(void*, const RTCBounds**, unsigned, void*) {}
 
-void* create_leaf(RTCThreadLocalAllocator allocator, const RTCBuildPrimitive* primitives, std::size_t, void*) {
-  auto* leaf = new (rtcThreadLocalAlloc(allocator, sizeof(BuildNode), alignof(BuildNode))) BuildNode;
-  leaf->item = primitives[0].primID;
+void* create_leaf(RTCThreadLocalAllocator allocator, const RTCBuildPrimitive* primitives, std::size_t count, void*) {
+  BuildNode* leaf = allocate(allocator);
+  leaf->item_count = static_cast<unsigned>(count);
+  for (std::size_t i = 0; i < count; ++i) leaf->items[i] = primitives[i].primID;
   return leaf;
+}
+
+/// The box with the room that WideNode promises, and some for faces near zero, where floats lose their precision.
+FloatBox with_room(const FloatBox& box) {
+  constexpr double kLeastRoom = 1e-30;
+  Box3 wider;
+  for (int axis = 0; axis < 3; ++axis) {
+    wider.min[axis] = box.low[axis] - std::abs(box.low[axis]) * WideNode::kFaceRoom - kLeastRoom;
+    wider.max[axis] = box.high[axis] + std::abs(box.high[axis]) * WideNode::kFaceRoom + kLeastRoom;
+  }
+  return FloatBox(wider);
 }
 
 /// Lays the builder's nodes out in one array, each before its children, and gives every node its boxes.
 class Flattener {
  public:
-  Flattener(std::span<const TreeItem> items, std::span<const FloatBox> boxes, std::vector<WideNode>& nodes)
-      : items_(items), boxes_(boxes), nodes_(nodes) {}
+  Flattener(std::span<const TreeItem> items, std::span<const FloatBox> boxes, std::vector<WideNode>& nodes,
+            std::vector<SphereGroup>& groups)
+      : items_(items), boxes_(boxes), nodes_(nodes), groups_(groups) {}
 
-  /// A tree of one item still gets a node.
-  void flatten(const BuildNode& root) {
-    BuildNode single;
-    single.child_count = 1;
-    single.children[0] = const_cast<BuildNode*>(&root);
-    add(root.child_count > 0 ? root : single, 1);
-  }
+  void flatten(const BuildNode& root) { add_node(root, 1); }
   std::size_t depth() const { return depth_; }
 
  private:
-  FloatBox add(const BuildNode& from, std::size_t depth) {
+  struct Slot {
+    FloatBox box;
+    ChildRef ref;
+  };
+
+  /// `from` may be a leaf: then its items are the children.
+  Slot add_node(const BuildNode& from, std::size_t depth) {
     depth_ = std::max(depth_, depth);
     const std::size_t index = nodes_.size();
     nodes_.emplace_back();
-    constexpr float kInfinity = std::numeric_limits<float>::infinity();
-    FloatBox all{{kInfinity, kInfinity, kInfinity}, {-kInfinity, -kInfinity, -kInfinity}};
-    for (unsigned slot = 0; slot < kTreeWidth; ++slot) {
-      FloatBox box{{kInfinity, kInfinity, kInfinity}, {-kInfinity, -kInfinity, -kInfinity}};
-      ChildRef ref{0};
-      if (slot < from.child_count) {
-        const BuildNode& child = *from.children[slot];
-        if (child.child_count == 0) {
-          box = boxes_[child.item];
-          ref = items_[child.item].leaf;
-        } else {
-          ref = ChildRef::of(ChildKind::node, static_cast<std::uint32_t>(nodes_.size()));
-          box = add(child, depth + 1);
-        }
-      }
-      WideNode& node = nodes_[index];
-      node.child[slot] = ref;
-      for (int axis = 0; axis < 3; ++axis) {
-        node.bounds[2 * axis][slot] = box.low[axis];
-        node.bounds[2 * axis + 1][slot] = box.high[axis];
-        all.low[axis] = std::min(all.low[axis], box.low[axis]);
-        all.high[axis] = std::max(all.high[axis], box.high[axis]);
+    FloatBox all;
+    std::size_t used = 0;
+    const auto fill = [&](const Slot& slot) {
+      put(index, used++, slot);
+      all.extend(slot.box);
+    };
+    if (from.child_count == 0) {
+      const std::span<const std::uint32_t> leaf(from.items, from.item_count);
+      if (const Slot spheres = sphere_group(leaf); !is_empty(spheres)) fill(spheres);
+      for (const std::uint32_t item : leaf) {
+        if (!is_sphere(item)) fill({boxes_[item], items_[item].leaf});
       }
     }
-    return all;
+    for (unsigned i = 0; i < from.child_count; ++i) fill(add(*from.children[i], depth + 1));
+    while (used < kTreeWidth) put(index, used++, Slot{FloatBox(), ChildRef{0}});
+    return {all, ChildRef::of(ChildKind::node, static_cast<std::uint32_t>(index))};
   }
+
+  /// A leaf of nothing but spheres, or of one item, needs no node of its own.
+  Slot add(const BuildNode& from, std::size_t depth) {
+    if (from.child_count > 0) return add_node(from, depth);
+    const std::span<const std::uint32_t> leaf(from.items, from.item_count);
+    if (std::all_of(leaf.begin(), leaf.end(), [&](std::uint32_t item) { return is_sphere(item); })) {
+      return sphere_group(leaf);
+    }
+    if (leaf.size() == 1) return {boxes_[leaf[0]], items_[leaf[0]].leaf};
+    return add_node(from, depth);
+  }
+
+  /// The spheres of a leaf as one group; an empty box when it has none.
+  Slot sphere_group(std::span<const std::uint32_t> leaf) {
+    SphereGroup group;
+    group.fill(kNoSphere);
+    std::size_t size = 0;
+    FloatBox all;
+    for (const std::uint32_t item : leaf) {
+      if (!is_sphere(item)) continue;
+      group[size++] = items_[item].leaf.index();
+      all.extend(boxes_[item]);
+    }
+    if (size == 0) return {all, ChildRef{0}};
+    groups_.push_back(group);
+    return {all, ChildRef::of(ChildKind::sphere, static_cast<std::uint32_t>(groups_.size() - 1))};
+  }
+
+  void put(std::size_t index, std::size_t place, const Slot& slot) {
+    WideNode& node = nodes_[index];
+    const FloatBox box = is_empty(slot) ? slot.box : with_room(slot.box);
+    node.child[place] = slot.ref;
+    for (int axis = 0; axis < 3; ++axis) {
+      node.bounds[2 * axis][place] = box.low[axis];
+      node.bounds[2 * axis + 1][place] = box.high[axis];
+    }
+  }
+
+  static bool is_empty(const Slot& slot) { return slot.box.low[0] > slot.box.high[0]; }
+  bool is_sphere(std::uint32_t item) const { return items_[item].leaf.kind() == ChildKind::sphere; }
 
   std::span<const TreeItem> items_;
   std::span<const FloatBox> boxes_;
   std::vector<WideNode>& nodes_;
+  std::vector<SphereGroup>& groups_;
   std::size_t depth_ = 0;
 };
+
+/// The margin may have a 64th of the size that seven of eight items have at least.
+FloatLimits limits_of(std::span<const TreeItem> items) {
+  double reach = 0.0;
+  std::vector<double> sizes;
+  sizes.reserve(items.size());
+  for (const TreeItem& item : items) {
+    double size = 0.0;
+    for (int axis = 0; axis < 3; ++axis) {
+      size = std::max(size, item.box.max[axis] - item.box.min[axis]);
+      reach = std::max({reach, std::abs(item.box.min[axis]), std::abs(item.box.max[axis])});
+    }
+    sizes.push_back(size);
+  }
+  const auto few = sizes.begin() + static_cast<std::ptrdiff_t>(sizes.size() / 8);
+  std::nth_element(sizes.begin(), few, sizes.end());
+  const double farthest = std::min(*few * 0x1p14, FloatBox::kLargestCoordinate);  // 2^-6 of the size over 2^-20
+  const double shared = (farthest + reach) * 0x1p-48 + 1e-30;                     // and room for denormal numbers
+  if (!(shared <= *few * 0x1p-6)) return FloatLimits();
+  return {static_cast<float>(farthest), static_cast<float>(shared * 1.001)};
+}
 
 struct ReleaseDevice {
   void operator()(RTCDevice device) const { rtcReleaseDevice(device); }
@@ -125,7 +172,9 @@ struct ReleaseTree {
 
 bool WideTree::fits(const Box3& box) {
   for (int axis = 0; axis < 3; ++axis) {
-    if (!(box.min[axis] >= -kLargestCoordinate && box.max[axis] <= kLargestCoordinate)) return false;
+    if (!(box.min[axis] >= -FloatBox::kLargestCoordinate && box.max[axis] <= FloatBox::kLargestCoordinate)) {
+      return false;
+    }
   }
   return true;
 }
@@ -141,7 +190,7 @@ WideTree::WideTree(std::span<const TreeItem> items) {
   std::vector<FloatBox> boxes(items.size());
   std::vector<RTCBuildPrimitive> primitives(items.size());
   for (std::size_t i = 0; i < items.size(); ++i) {
-    const FloatBox& box = boxes[i] = rounded_out(items[i].box);
+    const FloatBox& box = boxes[i] = FloatBox(items[i].box);
     primitives[i] = {box.low[0],  box.low[1],  box.low[2],  0,
                      box.high[0], box.high[1], box.high[2], static_cast<unsigned>(i)};
   }
@@ -149,9 +198,9 @@ WideTree::WideTree(std::span<const TreeItem> items) {
   arguments.buildQuality = RTC_BUILD_QUALITY_MEDIUM;
   arguments.maxBranchingFactor = kTreeWidth;
   arguments.maxDepth = kTreeDepth - 16;  // the builder goes a few levels beyond when it meets the limit
-  arguments.sahBlockSize = 1;
+  arguments.sahBlockSize = kLargestLeaf;
   arguments.minLeafSize = 1;
-  arguments.maxLeafSize = 1;
+  arguments.maxLeafSize = kLargestLeaf;
   arguments.bvh = tree.get();
   arguments.primitives = primitives.data();
   arguments.primitiveCount = primitives.size();
@@ -164,10 +213,14 @@ WideTree::WideTree(std::span<const TreeItem> items) {
   if (!root) return;
 
   nodes_.reserve(items.size() / 4 + 1);
-  Flattener flattener(items, boxes, nodes_);
+  Flattener flattener(items, boxes, nodes_, sphere_groups_);
   flattener.flatten(*root);
   built_ = flattener.depth() <= kTreeDepth;
-  if (!built_) nodes_.clear();
+  if (!built_) {
+    nodes_.clear();
+    sphere_groups_.clear();
+  }
+  float_limits_ = limits_of(items);
 }
 
 }  // namespace firstlight::render

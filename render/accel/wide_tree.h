@@ -1,7 +1,9 @@
 #pragma once
 
+#include "render/accel/float_box.h"
 #include "render/math/vec.h"
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <span>
@@ -9,7 +11,8 @@
 
 namespace firstlight::render {
 
-/// What hangs in a slot of a node: an inner node or one leaf, told apart by the two highest bits.
+/// What hangs in a slot of a node, told apart by the two highest bits: an inner node, a group of spheres, or one other
+/// leaf.
 enum class ChildKind : std::uint32_t { node = 0, sphere = 1, box = 2, solid = 3 };
 
 struct ChildRef {
@@ -24,9 +27,12 @@ constexpr std::size_t kTreeWidth = 8;
 /// No path from the root is longer; traversal stacks are sized by it.
 constexpr std::size_t kTreeDepth = 64;
 
-/// Eight boxes side by side, in float and rounded outwards. bounds[2 * axis] are the lower faces, bounds[2 * axis + 1]
-/// the upper; an empty slot has them the wrong way round and infinite, so no ray meets it.
+/// Eight boxes side by side, in float. bounds[2 * axis] are the lower faces, bounds[2 * axis + 1] the upper; an empty
+/// slot has them the wrong way round and infinite, so no ray meets it. Every face at v lies outwards of what it bounds
+/// by at least kFaceRoom * |v|, which is the room that a test in float needs.
 struct alignas(64) WideNode {
+  static constexpr double kFaceRoom = 0x1p-21;
+
   float bounds[6][kTreeWidth];
   ChildRef child[kTreeWidth];
 };
@@ -37,7 +43,18 @@ struct TreeItem {
   ChildRef leaf;
 };
 
-/// A bounding hierarchy with eight children a node and one item a leaf, so the box beside a leaf is the item's own.
+/// When a box test in float is good enough, see FloatRay.
+struct FloatLimits {
+  float farthest_origin = 0.0f;  ///< the largest coordinate of an origin at which the margin stays small
+  float shared_margin = 0.0f;    ///< the part of the margin that all those origins share
+};
+
+/// Up to eight spheres that are tested at once, each by the index() of its TreeItem::leaf; the rest is kNoSphere.
+using SphereGroup = std::array<std::uint32_t, 8>;
+constexpr std::uint32_t kNoSphere = 0xffffffffu;
+
+/// A bounding hierarchy with eight children a node. Neighbouring spheres hang in groups; of anything else there is one
+/// item a leaf.
 ///
 /// Cost     built by Embree's binned surface-area builder, O(n log n).
 /// Source   [Wald et al., Embree: A Kernel Framework for Efficient CPU Ray Tracing, 2014] for the builder.
@@ -53,9 +70,14 @@ class WideTree {
   bool built() const { return built_; }
   /// The root is the first; none for an empty tree.
   const std::vector<WideNode>& nodes() const { return nodes_; }
+  /// What the references to spheres in nodes() stand for.
+  const std::vector<SphereGroup>& sphere_groups() const { return sphere_groups_; }
+  const FloatLimits& float_limits() const { return float_limits_; }
 
  private:
   std::vector<WideNode> nodes_;
+  std::vector<SphereGroup> sphere_groups_;
+  FloatLimits float_limits_;
   bool built_ = true;
 };
 

@@ -12,6 +12,9 @@ class Plane final : public Shape {
  public:
   Plane(const Vec3& normal, double offset) : normal_(normal), offset_(offset) {}
 
+  const Vec3& unit_normal() const { return normal_; }
+  double offset() const { return offset_; }
+
   /// The depth of the one crossing, or a negative number.
   double meet(const Ray& ray) const {
     const double approach = normal_.dot(ray.direction);

@@ -1,0 +1,105 @@
+#include "render/accel/leaves.h"
+
+#include <algorithm>
+#include <limits>
+
+namespace firstlight::render {
+namespace {
+
+bool any_opaque(const Solid& solid, const std::vector<Part>& parts) {
+  if (solid.kind == Solid::Kind::shape) return parts[solid.part].opaque;
+  return std::any_of(solid.members.begin(), solid.members.end(), [&](const Solid& m) { return any_opaque(m, parts); });
+}
+
+ChildRef next_ref(ChildKind kind, std::size_t index) { return ChildRef::of(kind, static_cast<std::uint32_t>(index)); }
+
+SphereGroup group_of_one(std::uint32_t sphere) {
+  SphereGroup group;
+  group.fill(kNoSphere);
+  group[0] = sphere;
+  return group;
+}
+
+}  // namespace
+
+Leaves::Leaves(const Scene& scene) {
+  opaque_parts.reserve(scene.parts.size());
+  for (const Part& part : scene.parts) opaque_parts.push_back(part.opaque);
+
+  std::vector<TreeItem> items;
+  std::vector<ChildRef> outside;
+  std::vector<RoundSphere> round;
+  for (std::size_t i = 0; i < scene.solids.size(); ++i) {
+    const Solid& solid = scene.solids[i];
+    if (solid.box.isEmpty()) continue;
+    LeafHead head;
+    head.solid = static_cast<std::uint32_t>(i);
+    head.hidden_from = solid.hidden_from;
+    head.opaque = any_opaque(solid, scene.parts);
+    ChildRef ref{0};
+    const bool plain = solid.kind == Solid::Kind::shape && solid.clips.empty() && solid.bounds.empty();
+    if (plain) {
+      head.shape = solid.shape.get();
+      head.part = solid.part;
+    }
+    if (const auto* plane = dynamic_cast<const Plane*>(head.shape)) {
+      add_plane(*plane, head);
+      continue;
+    }
+    const FloatBox bounds(solid.box);
+    if (const auto* sphere = dynamic_cast<const Sphere*>(head.shape)) {
+      ref = next_ref(ChildKind::sphere, round.size());
+      round.push_back({sphere, {bounds, head}});
+    } else if (const auto* box = dynamic_cast<const Box*>(head.shape)) {
+      ref = next_ref(ChildKind::box, boxes.size());
+      boxes.push_back({box->axis_box(), bounds, head});
+    } else {
+      ref = next_ref(ChildKind::solid, solids.size());
+      solids.push_back({&solid, bounds, head});
+    }
+    if (WideTree::fits(solid.box)) {
+      items.push_back({solid.box, ref});
+    } else {
+      outside.push_back(ref);
+    }
+  }
+  tree = WideTree(items);
+  if (!tree.built()) {
+    for (const TreeItem& item : items) outside.push_back(item.leaf);
+  }
+  for (const SphereGroup& group : tree.sphere_groups()) add_block(round, group);
+  for (const ChildRef ref : outside) {
+    if (ref.kind() == ChildKind::sphere) {
+      beside.push_back(next_ref(ChildKind::sphere, sphere_blocks.size()));
+      add_block(round, group_of_one(ref.index()));
+    } else {
+      beside.push_back(ref);
+    }
+  }
+}
+
+void Leaves::add_plane(const Plane& plane, const LeafHead& head) {
+  const std::size_t lane = planes.size() % kLanes;
+  if (lane == 0) plane_blocks.push_back(PlaneBlock{});
+  PlaneBlock& block = plane_blocks.back();
+  for (int axis = 0; axis < 3; ++axis) block.normal[axis][lane] = plane.unit_normal()[axis];
+  block.offset[lane] = plane.offset();
+  block.hidden_from |= head.hidden_from;
+  planes.push_back(head);
+}
+
+void Leaves::add_block(const std::vector<RoundSphere>& all, const SphereGroup& group) {
+  SphereBlock block{};
+  for (std::size_t lane = 0; lane < kLanes; ++lane) {
+    block.radius_squared[lane] = -std::numeric_limits<double>::infinity();
+    spheres.emplace_back();
+    if (group[lane] == kNoSphere) continue;
+    const RoundSphere& round = all[group[lane]];
+    spheres.back() = round.leaf;
+    for (int axis = 0; axis < 3; ++axis) block.center[axis][lane] = round.sphere->center()[axis];
+    block.radius_squared[lane] = round.sphere->radius_squared();
+  }
+  sphere_blocks.push_back(block);
+}
+
+}  // namespace firstlight::render
