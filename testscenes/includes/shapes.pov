@@ -18,6 +18,5 @@ object { Round_Cylinder(-0.4*y, 0.4*y, 0.3, 0.1, false) translate <0.3, -0.4, 0>
 object { Round_Cone(-0.4*y, 0.35, 0.4*y, 0.15, 0.08, false) translate <1.2, -0.4, 0> pigment { rgb <0.9, 0.4, 0.5> } }
 object { Wire_Box_Union(<-0.25, -0.3, -0.25>, <0.25, 0.3, 0.25>, 0.08) rotate 20*y translate <1.9, -0.6, -0.2> pigment { rgb <0.7, 0.9, 0.6> } }
 object { Spheroid(0, <0.4, 0.2, 0.3>) translate <0, -0.8, -1.6> pigment { rgb <0.9, 0.9, 0.5> } }
-object { Round_Cone2(0, 0.3, 0.5*y, 0.12, false) translate <-1.1, -0.9, -1.6> pigment { rgb <0.5, 0.9, 0.9> } }
 object { Wire_Box(<-0.3, -0.3, -0.3>, <0.3, 0.3, 0.3>, 0.05, false) rotate 30*y translate <1.2, -0.65, -1.6> pigment { rgb <0.9, 0.7, 0.4> } }
 object { Plane_XZ translate -5*y pigment { rgb 0.3 } }
