@@ -13,7 +13,7 @@ constexpr std::chrono::milliseconds kKeyChangeEvery{250};
 Frame::Frame(const render::TraceContext& context, render::Film& film, const TraceOptions& options)
     : context_(context),
       film_(film),
-      tiles_(context.scene, film.width(), film.height()),
+      tiles_(context.scene, context.media, film.width(), film.height()),
       alone_(options.threads == 1),
       stop_(options.stop),
       workers_(options.threads) {}

@@ -102,6 +102,7 @@ struct SceneBuilder::State {
   std::unique_ptr<Scene> scene = std::make_unique<Scene>();
   TextureTable textures;
   TexturePtr default_texture;  ///< of the object that is being added
+  std::uint32_t matter = 0;    ///< of that object: the interior that its topmost node will make
   bool has_camera = false;
 
   Inherited at_node(const Object& object, const Inherited& parent);
@@ -163,7 +164,9 @@ void SceneBuilder::State::link(const Object& object, const Inherited& parent) {
     return;
   }
   std::optional<Solid> solid = freeze(object, parent, true);
-  if (solid && has_surface(*solid)) scene->solids.push_back(std::move(*solid));
+  if (!solid || !has_surface(*solid)) return;
+  solid->matter = matter;
+  scene->solids.push_back(std::move(*solid));
 }
 
 /// `object` as one solid, closed; nothing for a light, which goes to the scene's lights.
@@ -236,6 +239,7 @@ const Settings& SceneBuilder::settings() const { return state_->scene->settings;
 
 void SceneBuilder::add(Object object, TexturePtr default_texture) {
   state_->default_texture = std::move(default_texture);
+  state_->matter = static_cast<std::uint32_t>(state_->scene->interiors.size());
   state_->scene->object_names.push_back(std::move(object.name));
   state_->link(object, Inherited());
 }

@@ -4,8 +4,17 @@
 
 namespace firstlight::render {
 
-PrimaryTiles::PrimaryTiles(const Scene& scene, int width, int height)
+std::uint32_t medium_at(const Scene& scene, MediumTable& media, const Vec3& point) {
+  std::uint32_t medium = MediumTable::kOutside;
+  for (const Solid& solid : scene.solids) {
+    if (!media.contains(medium, solid.matter) && solid.inside(point)) medium = media.entered(medium, solid.matter);
+  }
+  return medium;
+}
+
+PrimaryTiles::PrimaryTiles(const Scene& scene, MediumTable& media, int width, int height)
     : scene_(scene),
+      medium_(medium_at(scene, media, scene.camera.location)),
       width_(width),
       height_(height),
       columns_(static_cast<std::uint32_t>((width + kTileSize - 1) / kTileSize)),
@@ -25,6 +34,7 @@ void PrimaryTiles::fill(std::uint32_t tile, PrimaryBatch& batch) const {
       task.radiance.set_weight(Rgb(1.0f));
       task.sample = static_cast<std::uint32_t>(y) * static_cast<std::uint32_t>(width_) + static_cast<std::uint32_t>(x);
       task.path = task.sample;
+      task.medium = medium_;
       batch.tasks.push_back(task);
       batch.rays.push_back(ray);
     }

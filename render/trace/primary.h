@@ -1,6 +1,7 @@
 #pragma once
 
 #include "render/scene/scene.h"
+#include "render/trace/medium_table.h"
 #include "render/trace/ray_task.h"
 
 #include <cstdint>
@@ -15,12 +16,15 @@ struct PrimaryBatch {
   std::vector<Ray> rays;
 };
 
+/// What a ray that begins at `point` is inside of.
+std::uint32_t medium_at(const Scene& scene, MediumTable& media, const Vec3& point);
+
 /// The picture cut into squares of kTileSize pixels, whose primary rays are made on demand and never queued.
 class PrimaryTiles {
  public:
   static constexpr int kTileSize = 16;
 
-  PrimaryTiles(const Scene& scene, int width, int height);
+  PrimaryTiles(const Scene& scene, MediumTable& media, int width, int height);
 
   std::uint32_t count() const { return columns_ * rows_; }
   /// Replaces `batch` by the primary rays of a tile, pixel by pixel, row by row. Pre: tile < count().
@@ -28,6 +32,7 @@ class PrimaryTiles {
 
  private:
   const Scene& scene_;
+  std::uint32_t medium_;
   int width_;
   int height_;
   std::uint32_t columns_;

@@ -222,6 +222,17 @@ TEST(Step, AReflectionExponentWorksOnTheReturnedColour) {
   expect_color(scene.color({0, 1, 0}, {0.5, -1, 0}), Rgb(0.125f, 0.03125f, 0.5f));
 }
 
+TEST(Step, ACameraInsideGlassIsInsideOfItsMatter) {
+  Object glass = object_of(make_sphere({0, 0, 0}, 2.0), texture_of({Rgb(1.0f), 1.0f, 0.0f}, dark()));
+  glass.interior = Interior{.ior = 1.5};
+  TestScene scene({glass, object_of(make_sphere({9, 0, 0}, 2.0), texture_of(opaque(1.0f), dark()))});
+  MediumTable& media = scene.context().media;
+  const std::uint32_t medium = medium_at(scene.scene(), media, {0.5, 0, 0});
+  EXPECT_EQ(media.depth(medium), 1u);
+  EXPECT_EQ(scene.scene().interiors[media.innermost(medium)].ior, 1.5);
+  EXPECT_EQ(medium_at(scene.scene(), media, {5, 0, 0}), MediumTable::kOutside);
+}
+
 TEST(Step, BatchesDoNotShowInThePicture) {
   Finish mirror;
   mirror.reflection_min = mirror.reflection_max = Rgb(0.3f);
@@ -234,7 +245,7 @@ TEST(Step, BatchesDoNotShowInThePicture) {
   const auto render = [&](std::size_t batch) {
     Stepper stepper(scene.context());
     Film film(24, 16);
-    const PrimaryTiles tiles(scene.scene(), 24, 16);
+    const PrimaryTiles tiles(scene.scene(), scene.context().media, 24, 16);
     std::vector<RayTask> waiting;
     for (std::uint32_t tile = 0; tile < tiles.count(); ++tile) {
       PrimaryBatch primaries;
