@@ -92,7 +92,11 @@ void Interpreter::run_declare(const Token& word, bool after_hash) {
   }
   if (target.array) check_element(*target.array, argument.value, target.name.location);
   *target.slot = std::move(argument.value);
-  if (peek().is(Punctuation::semicolon) && (after_hash || argument.needs_semicolon)) take();
+  if (peek().is(Punctuation::semicolon) && (after_hash || argument.needs_semicolon)) {
+    take();
+  } else {
+    unsettle();  // what follows may be the very name that has its meaning only now
+  }
 }
 
 // A value as it may be declared or handed to a macro. A name alone is handed on by reference, if the macro's caller has

@@ -10,6 +10,9 @@ TEST(Declare, ATextureNeedsNoSemicolon) {
   EXPECT_EQ(debugged("#declare T = texture { pigment { rgb 1 } }\n#declare U = texture { T }\n#debug \"both\""),
             "both");
 }
+TEST(Declare, TheNameMayStandRightBehindItsDeclaration) {
+  EXPECT_EQ(debugged("#declare Ball = sphere { 0, 1 } Ball #debug \"read\""), "read");
+}
 TEST(Declare, TheNextDirectiveWaitsForTheValue) {
   EXPECT_EQ(debugged("#declare A = 1; #declare A = A + 1; #debug str(A, 0, 0)"), "2");
 }
