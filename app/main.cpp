@@ -1,4 +1,5 @@
 #include "app/options.h"
+#include "app/process_start.h"
 #include "app/render_command.h"
 #include "app/version.h"
 
@@ -51,7 +52,7 @@ int run(std::vector<std::string> arguments, std::chrono::steady_clock::time_poin
 }  // namespace
 
 int main(int argc, char** argv) {
-  const auto start = std::chrono::steady_clock::now();
+  const auto start = firstlight::app::process_start();
   try {
     return run({argv + 1, argv + argc}, start);
   } catch (const std::bad_alloc&) {
