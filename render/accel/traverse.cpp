@@ -29,8 +29,6 @@ std::vector<Crossing>& scratch_of_thread() {
 /// away from the object; were it taken, the answer could depend on which subtree is visited first.
 class ClosestSearch {
  public:
-  static constexpr bool kNearestFirst = true;
-
   ClosestSearch(const Leaves& leaves, const RayQuery& query) : leaves_(leaves), query_(query) {
     hit_.depth = query.max_depth;
     hit_.solid = 0;  // a crossing at exactly max_depth must not win the tie
@@ -60,27 +58,37 @@ class ClosestSearch {
       }
     }
   }
-  bool visit(ChildRef ref) {
+  HWY_INLINE void visit(ChildRef ref) {
+    if (ref.kind() != ChildKind::sphere) {
+      visit_other(ref);
+      return;
+    }
+    SphereCrossings at;
+    unsigned bits = meet_spheres(leaves_.sphere_blocks[ref.index()], query_, limit(), at);
+    for (; bits != 0; bits &= bits - 1) {
+      const auto lane = static_cast<std::size_t>(__builtin_ctz(bits));
+      const SphereLeaf& leaf = leaves_.spheres[ref.index() * kLanes + lane];
+      double from = 0.0;
+      if (hidden(leaf.head) || !ExactRay(query_).meets(leaf.bounds, from)) continue;
+      if (sphere_depth_counts(at.leaves[lane])) offer(at.leaves[lane], 0, leaf.head, from);
+      if (sphere_depth_counts(at.enters[lane])) offer(at.enters[lane], 0, leaf.head, from);
+    }
+  }
+
+ private:
+  bool hidden(const LeafHead& head) const { return (head.hidden_from & query_.hidden_bit) != 0; }
+
+  HWY_NOINLINE void visit_other(ChildRef ref) {
     double from = 0.0;
-    if (ref.kind() == ChildKind::sphere) {
-      SphereCrossings at;
-      unsigned bits = meet_spheres(leaves_.sphere_blocks[ref.index()], query_, limit(), at);
-      for (; bits != 0; bits &= bits - 1) {
-        const auto lane = static_cast<std::size_t>(__builtin_ctz(bits));
-        const SphereLeaf& leaf = leaves_.spheres[ref.index() * kLanes + lane];
-        if (hidden(leaf.head) || !ExactRay(query_).meets(leaf.bounds, from)) continue;
-        if (sphere_depth_counts(at.leaves[lane])) offer(at.leaves[lane], 0, leaf.head, from);
-        if (sphere_depth_counts(at.enters[lane])) offer(at.enters[lane], 0, leaf.head, from);
-      }
-    } else if (ref.kind() == ChildKind::box) {
+    if (ref.kind() == ChildKind::box) {
       const BoxLeaf& leaf = leaves_.boxes[ref.index()];
-      if (hidden(leaf.head) || !ExactRay(query_).meets(leaf.bounds, from)) return false;
+      if (hidden(leaf.head) || !ExactRay(query_).meets(leaf.bounds, from)) return;
       Met met;
       leaf.box.meet(query_.ray, met);
       for (std::size_t i = met.count; i-- > 0;) offer(met.depth[i], met.face[i], leaf.head, from);
     } else {
       const SolidLeaf& leaf = leaves_.solids[ref.index()];
-      if (hidden(leaf.head) || !ExactRay(query_).meets(leaf.bounds, from) || from > limit()) return false;
+      if (hidden(leaf.head) || !ExactRay(query_).meets(leaf.bounds, from) || from > limit()) return;
       std::vector<Crossing>& scratch = scratch_of_thread();
       scratch.clear();
       leaf.geometry->crossings(query_.ray, query_.hidden_bit, scratch);
@@ -91,11 +99,7 @@ class ClosestSearch {
         offer(scratch[i].depth, scratch[i].face, head, from);
       }
     }
-    return false;
   }
-
- private:
-  bool hidden(const LeafHead& head) const { return (head.hidden_from & query_.hidden_bit) != 0; }
 
   /// Crossings of one solid are offered last first; the first of equals stays.
   void offer(double depth, std::uint32_t face, const LeafHead& head, double from) {
@@ -112,8 +116,6 @@ class ClosestSearch {
 /// Looks for any opaque crossing of one ray; the visits tell whether there was one.
 class BlockingSearch {
  public:
-  static constexpr bool kNearestFirst = false;
-
   BlockingSearch(const Leaves& leaves, const RayQuery& query) : leaves_(leaves), query_(query) {}
 
   double limit() const { return query_.max_depth; }
@@ -129,19 +131,27 @@ class BlockingSearch {
     }
     return false;
   }
-  bool visit(ChildRef ref) const {
+  HWY_INLINE bool visit(ChildRef ref) const {
+    if (ref.kind() != ChildKind::sphere) return visit_other(ref);
+    SphereCrossings at;
+    unsigned bits = meet_spheres(leaves_.sphere_blocks[ref.index()], query_, limit(), at);
+    for (; bits != 0; bits &= bits - 1) {
+      const auto lane = static_cast<std::size_t>(__builtin_ctz(bits));
+      const SphereLeaf& leaf = leaves_.spheres[ref.index() * kLanes + lane];
+      double from = 0.0;
+      if (transparent(leaf.head) || !ExactRay(query_).meets(leaf.bounds, from)) continue;
+      if (sphere_depth_counts(at.leaves[lane]) && blocks(at.leaves[lane], from)) return true;
+      if (sphere_depth_counts(at.enters[lane]) && blocks(at.enters[lane], from)) return true;
+    }
+    return false;
+  }
+
+ private:
+  bool transparent(const LeafHead& head) const { return !head.opaque || (head.hidden_from & query_.hidden_bit) != 0; }
+
+  HWY_NOINLINE bool visit_other(ChildRef ref) const {
     double from = 0.0;
-    if (ref.kind() == ChildKind::sphere) {
-      SphereCrossings at;
-      unsigned bits = meet_spheres(leaves_.sphere_blocks[ref.index()], query_, limit(), at);
-      for (; bits != 0; bits &= bits - 1) {
-        const auto lane = static_cast<std::size_t>(__builtin_ctz(bits));
-        const SphereLeaf& leaf = leaves_.spheres[ref.index() * kLanes + lane];
-        if (transparent(leaf.head) || !ExactRay(query_).meets(leaf.bounds, from)) continue;
-        if (sphere_depth_counts(at.leaves[lane]) && blocks(at.leaves[lane], from)) return true;
-        if (sphere_depth_counts(at.enters[lane]) && blocks(at.enters[lane], from)) return true;
-      }
-    } else if (ref.kind() == ChildKind::box) {
+    if (ref.kind() == ChildKind::box) {
       const BoxLeaf& leaf = leaves_.boxes[ref.index()];
       if (transparent(leaf.head) || !ExactRay(query_).meets(leaf.bounds, from)) return false;
       Met met;
@@ -161,9 +171,6 @@ class BlockingSearch {
     }
     return false;
   }
-
- private:
-  bool transparent(const LeafHead& head) const { return !head.opaque || (head.hidden_from & query_.hidden_bit) != 0; }
   bool blocks(double depth, double from) const {
     return depth > query_.min_depth && depth < query_.max_depth && depth >= from;
   }

@@ -3,6 +3,7 @@
 #include "tests/render/solid_test_support.h"
 
 #include <gtest/gtest.h>
+#include <hwy/targets.h>
 
 #include <algorithm>
 #include <random>
@@ -157,6 +158,100 @@ TEST(Accel, AnswersDoNotDependOnTheBlock) {
       accel.closest(std::span(queries).subspan(first, size), some);
       for (std::size_t i = 0; i < size; ++i) expect_same(some[i], whole[first + i]);
     }
+  }
+}
+
+/// Spheres of many sizes, so most leaves are groups of them, and more planes than are tested at once.
+Scene spheres_and_planes(unsigned seed) {
+  Dice dice(seed);
+  Scene scene;
+  for (int i = 0; i < 700; ++i) {
+    Solid solid = solid_of(make_sphere(dice.point(5.0), std::pow(10.0, dice.between(-2.5, 0.0))));
+    if (dice.below(9) == 0) solid.hidden_from = static_cast<std::uint8_t>(1 << dice.below(3));
+    add_solid(scene, std::move(solid), dice.below(3) != 0);
+  }
+  for (int i = 0; i < 19; ++i) {
+    Solid solid = solid_of(make_plane(dice.point(1.0), dice.between(5.0, 9.0)));
+    if (i >= 8 && dice.below(2) == 0) solid.hidden_from = static_cast<std::uint8_t>(1 << dice.below(3));
+    add_solid(scene, std::move(solid), dice.below(3) != 0);
+  }
+  return scene;
+}
+
+TEST(Accel, GroupsOfSpheresAndPlanesAgreeToTheBitWithAskingEverySolid) {
+  const Scene scene = spheres_and_planes(21);
+  const Accel accel(scene);
+  for (const RayQuery& query : random_queries(22, 6000)) {
+    Hit hit;
+    std::uint8_t blocked = 2;
+    accel.closest({&query, 1}, {&hit, 1});
+    accel.occluded({&query, 1}, {&blocked, 1});
+    expect_same(hit, brute_closest(scene, query));
+    ASSERT_EQ(blocked != 0, brute_occluded(scene, query));
+  }
+}
+
+TEST(Accel, AnswersDoNotDependOnTheInstructionSet) {
+  const Scene scene = mixed_scene(23, 200);
+  const Scene round = spheres_and_planes(24);
+  const std::vector<RayQuery> queries = random_queries(25, 2000);
+  for (const Scene* each : {&scene, &round}) {
+    const Accel accel(*each);
+    std::vector<Hit> best(queries.size());
+    std::vector<std::uint8_t> best_blocked(queries.size());
+    accel.closest(queries, best);
+    accel.occluded(queries, best_blocked);
+    for (const std::int64_t target : hwy::SupportedAndGeneratedTargets()) {
+      hwy::GetChosenTarget().Update(target);
+      std::vector<Hit> hits(queries.size());
+      std::vector<std::uint8_t> blocked(queries.size());
+      accel.closest(queries, hits);
+      accel.occluded(queries, blocked);
+      for (std::size_t i = 0; i < queries.size(); ++i) expect_same(hits[i], best[i]);
+      EXPECT_EQ(blocked, best_blocked);
+    }
+    hwy::GetChosenTarget().Update(hwy::SupportedTargets());
+  }
+}
+
+TEST(Accel, RaysAlmostAlongAnAxisMeetWhatTheyTouch) {
+  // Small directions are where a box test in float would go wrong first.
+  const Scene scene = spheres_and_planes(26);
+  const Accel accel(scene);
+  Dice dice(27);
+  for (int i = 0; i < 4000; ++i) {
+    const int axis = dice.below(3);
+    Vec3 d(0.0);
+    for (int k = 0; k < 3; ++k) d[k] = (dice.below(2) == 0 ? 1.0 : -1.0) * std::pow(10.0, dice.between(-40.0, -3.0));
+    d[axis] = dice.below(2) == 0 ? 1.0 : -1.0;
+    const RayQuery query{{dice.point(5.0), d.normalized()}, 1e-4, 1e7, 0};
+    Hit hit;
+    accel.closest({&query, 1}, {&hit, 1});
+    expect_same(hit, brute_closest(scene, query));
+  }
+}
+
+TEST(Accel, SmallThingsFarFromTheMiddleOfTheWorldAreMet) {
+  // Where the coordinates of floats are coarser than the things, boxes are tested in double.
+  for (const double far : {1e3, 1e5, 1e6}) {
+    Scene scene;
+    Dice dice(28);
+    const Vec3 place(far, -0.5 * far, 0.25 * far);
+    for (int i = 0; i < 300; ++i) add_solid(scene, solid_of(make_sphere(place + dice.point(0.5), 0.02)));
+    const Accel accel(scene);
+    int met = 0;
+    for (int i = 0; i < 2000; ++i) {
+      const Vec3 from = place + dice.point(3.0);
+      const RayQuery query{{from, (place + dice.point(0.5) - from).normalized()}, 1e-4, 1e7, 0};
+      Hit hit;
+      std::uint8_t blocked = 2;
+      accel.closest({&query, 1}, {&hit, 1});
+      accel.occluded({&query, 1}, {&blocked, 1});
+      expect_same(hit, brute_closest(scene, query));
+      ASSERT_EQ(blocked != 0, hit.part != kNoIndex);
+      met += hit.part != kNoIndex;
+    }
+    EXPECT_GT(met, 200);
   }
 }
 
