@@ -8,6 +8,7 @@
 #include <hwy/highway.h>
 
 #include <limits>
+#include <optional>
 #include <vector>
 
 #include "render/accel/box_test-inl.h"
@@ -78,17 +79,23 @@ class ClosestSearch {
  private:
   bool hidden(const LeafHead& head) const { return (head.hidden_from & query_.hidden_bit) != 0; }
 
+  /// For leaves whose test costs more than this branch.
+  const ExactRay& exact() {
+    if (!exact_) exact_.emplace(query_);
+    return *exact_;
+  }
+
   HWY_NOINLINE void visit_other(ChildRef ref) {
     double from = 0.0;
     if (ref.kind() == ChildKind::box) {
       const BoxLeaf& leaf = leaves_.boxes[ref.index()];
-      if (hidden(leaf.head) || !ExactRay(query_).meets(leaf.bounds, from)) return;
+      if (hidden(leaf.head) || !exact().meets(leaf.bounds, from)) return;
       Met met;
       leaf.box.meet(query_.ray, met);
       for (std::size_t i = met.count; i-- > 0;) offer(met.depth[i], met.face[i], leaf.head, from);
     } else {
       const SolidLeaf& leaf = leaves_.solids[ref.index()];
-      if (hidden(leaf.head) || !ExactRay(query_).meets(leaf.bounds, from) || from > limit()) return;
+      if (hidden(leaf.head) || !exact().meets(leaf.bounds, from) || from > limit()) return;
       std::vector<Crossing>& scratch = scratch_of_thread();
       scratch.clear();
       leaf.geometry->crossings(query_.ray, query_.hidden_bit, scratch);
@@ -110,6 +117,7 @@ class ClosestSearch {
 
   const Leaves& leaves_;
   const RayQuery& query_;
+  std::optional<ExactRay> exact_;
   Hit hit_;
 };
 
@@ -149,11 +157,17 @@ class BlockingSearch {
  private:
   bool transparent(const LeafHead& head) const { return !head.opaque || (head.hidden_from & query_.hidden_bit) != 0; }
 
+  /// For leaves whose test costs more than this branch.
+  const ExactRay& exact() const {
+    if (!exact_) exact_.emplace(query_);
+    return *exact_;
+  }
+
   HWY_NOINLINE bool visit_other(ChildRef ref) const {
     double from = 0.0;
     if (ref.kind() == ChildKind::box) {
       const BoxLeaf& leaf = leaves_.boxes[ref.index()];
-      if (transparent(leaf.head) || !ExactRay(query_).meets(leaf.bounds, from)) return false;
+      if (transparent(leaf.head) || !exact().meets(leaf.bounds, from)) return false;
       Met met;
       leaf.box.meet(query_.ray, met);
       for (std::size_t i = 0; i < met.count; ++i) {
@@ -161,7 +175,7 @@ class BlockingSearch {
       }
     } else {
       const SolidLeaf& leaf = leaves_.solids[ref.index()];
-      if (transparent(leaf.head) || !ExactRay(query_).meets(leaf.bounds, from) || from > limit()) return false;
+      if (transparent(leaf.head) || !exact().meets(leaf.bounds, from) || from > limit()) return false;
       std::vector<Crossing>& scratch = scratch_of_thread();
       scratch.clear();
       leaf.geometry->crossings(query_.ray, query_.hidden_bit, scratch);
@@ -177,6 +191,7 @@ class BlockingSearch {
 
   const Leaves& leaves_;
   const RayQuery& query_;
+  mutable std::optional<ExactRay> exact_;
 };
 
 /// Subtrees still to be visited.
@@ -262,6 +277,14 @@ HWY_INLINE bool walk(const WideTree& tree, const BoxRay& ray, const BlockingSear
   return false;
 }
 
+/// For the rare rays that floats do not suit; kept out of the way of the others.
+HWY_NOINLINE void walk_exactly(const WideTree& tree, const RayQuery& query, ClosestSearch& search) {
+  walk(tree, ExactRay(query), search);
+}
+HWY_NOINLINE bool walk_exactly(const WideTree& tree, const RayQuery& query, const BlockingSearch& search) {
+  return walk(tree, ExactRay(query), search);
+}
+
 void closest_of_block(const Leaves& leaves, std::span<const RayQuery> queries, std::span<Hit> hits) {
   for (std::size_t i = 0; i < queries.size(); ++i) {
     const RayQuery& query = queries[i];
@@ -272,7 +295,7 @@ void closest_of_block(const Leaves& leaves, std::span<const RayQuery> queries, s
       if (const FloatRay ray(query, leaves.tree.float_limits()); ray.usable()) {
         walk(leaves.tree, ray, search);
       } else {
-        walk(leaves.tree, ExactRay(query), search);
+        walk_exactly(leaves.tree, query, search);
       }
     }
     hits[i] = search.result();
@@ -285,7 +308,7 @@ bool is_blocked(const Leaves& leaves, const RayQuery& query) {
     if (const FloatRay ray(query, leaves.tree.float_limits()); ray.usable()) {
       if (walk(leaves.tree, ray, search)) return true;
     } else {
-      if (walk(leaves.tree, ExactRay(query), search)) return true;
+      if (walk_exactly(leaves.tree, query, search)) return true;
     }
   }
   for (const ChildRef ref : leaves.beside) {
