@@ -98,12 +98,14 @@ void Stepper::shade_lights(const Surface& surface) {
     return;
   }
   const std::vector<Light>& lights = context_.scene.lights;
+  // All square roots first: behind the branches below the processor would wait for each of them.
+  arriving_.resize(lights.size());
+  for (std::size_t i = 0; i < lights.size(); ++i) arriving_[i] = illuminate(lights[i], surface.point);
   int feelers = 0;  // records of this hit, at the end of spawned_
   for (std::uint32_t i = 0; i < lights.size(); ++i) {
-    const Illumination light = illuminate(lights[i], surface.point);
+    const Illumination& light = arriving_[i];
     if (is_negligible(light.color)) continue;
-    const bool behind =
-        !surface.part.double_illuminate && surface.normal.dot(light.direction) < kNegligible;
+    const bool behind = !surface.part.double_illuminate && surface.normal.dot(light.direction) < kNegligible;
     Rgb lit(0.0f);
     for (const Layer& layer : layers_) {
       const Finish& finish = *layer.finish;

@@ -107,6 +107,7 @@ class Stepper {
   std::vector<Hit> hits_;
   std::vector<std::uint8_t> blocked_;
   std::vector<Layer> layers_;
+  std::vector<Illumination> arriving_;  ///< from each light, at the surface at hand
   FixedRgb sum_;
   std::vector<Contribution> light_;
   std::vector<RayTask> spawned_;
