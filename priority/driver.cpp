@@ -76,7 +76,8 @@ TraceResult trace(const render::TraceContext& context, render::Film& film, const
       statistics.peak_rays = shared->queue.peak_rays();
       statistics.peak_bytes = shared->pool.peak_bytes();
       if (statistics.peak_rays > 0) {
-        statistics.bytes_per_ray = static_cast<double>(statistics.peak_bytes) / static_cast<double>(statistics.peak_rays);
+        statistics.bytes_per_ray =
+            static_cast<double>(statistics.peak_bytes) / static_cast<double>(statistics.peak_rays);
       }
     }
     statistics.first_image = frame.first_image();

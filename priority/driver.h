@@ -29,7 +29,7 @@ struct TraceStatistics {
   render::RayCounts rays;
   std::uint64_t peak_rays = 0;  ///< waiting at the same time; 0 without a queue
   std::size_t peak_bytes = 0;   ///< of the blocks that held them
-  double bytes_per_ray = 0.0;  ///< peak_bytes / peak_rays: part-filled blocks count, feelers of one hit share a record
+  double bytes_per_ray = 0.0;   ///< peak_bytes / peak_rays: part-filled blocks count, feelers of one hit share a record
   std::uint64_t worst_case_rays = 0;
   double seconds = 0.0;
   /// When every pixel had its primary ray's light; not set if it was stopped before.

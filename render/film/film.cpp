@@ -21,7 +21,8 @@ void Film::add(std::span<const Contribution> contributions, bool alone) {
 }
 
 Rgb Film::color(int x, int y) const {
-  const std::size_t first = 3 * (static_cast<std::size_t>(y) * static_cast<std::size_t>(width_) + static_cast<std::size_t>(x));
+  const std::size_t first =
+      3 * (static_cast<std::size_t>(y) * static_cast<std::size_t>(width_) + static_cast<std::size_t>(x));
   return FixedRgb{sums_[first].load(std::memory_order_relaxed), sums_[first + 1].load(std::memory_order_relaxed),
                   sums_[first + 2].load(std::memory_order_relaxed)}
       .to_rgb();

@@ -13,7 +13,7 @@ namespace firstlight::render {
 struct Light {
   Vec3 position{0.0, 0.0, 0.0};
   Rgb color{1.0f, 1.0f, 1.0f};
-  bool shadowless = false;    ///< lights without being blocked, and gives no highlights
+  bool shadowless = false;     ///< lights without being blocked, and gives no highlights
   double fade_distance = 0.0;  ///< scene units
   double fade_power = 0.0;     ///< 0: no fading
 };

@@ -14,10 +14,11 @@ namespace firstlight::render {
 
 /// What a front end needs to know beside the path.
 struct LoadOptions {
-  int width = 320;   ///< pixels; scenes may read it
+  int width = 320;  ///< pixels; scenes may read it
   int height = 240;
-  std::vector<std::string> library_paths;                      ///< searched for included files after the scene's own folder
-  std::vector<std::pair<std::string, std::string>> declares;   ///< identifiers set before the scene is read (name, number)
+  std::vector<std::string> library_paths;  ///< searched for included files after the scene's own folder
+  std::vector<std::pair<std::string, std::string>>
+      declares;  ///< identifiers set before the scene is read (name, number)
   double clock = 0.0;
   /// Called for every diagnostic as it arises; may be empty. The result holds them all the same.
   std::function<void(const Diagnostic&)> report;
@@ -33,14 +34,15 @@ struct LoadResult {
 class FrontEnd {
  public:
   virtual ~FrontEnd() = default;
-  virtual std::string_view name() const = 0;                       ///< e.g. "pov"
-  virtual std::vector<std::string_view> extensions() const = 0;   ///< with the dot: ".pov"
+  virtual std::string_view name() const = 0;                     ///< e.g. "pov"
+  virtual std::vector<std::string_view> extensions() const = 0;  ///< with the dot: ".pov"
   virtual LoadResult load(const std::string& path, const LoadOptions& options) const = 0;
 };
 
 /// A loadable module exports these two C symbols; the host refuses a module of another ABI version.
 constexpr int kFrontEndAbi = 1;
 constexpr const char* kFrontEndAbiSymbol = "firstlight_front_end_abi";  ///< int firstlight_front_end_abi()
-constexpr const char* kFrontEndSymbol = "firstlight_front_end";         ///< const FrontEnd* firstlight_front_end(); lives as long as the module
+constexpr const char* kFrontEndSymbol =
+    "firstlight_front_end";  ///< const FrontEnd* firstlight_front_end(); lives as long as the module
 
 }  // namespace firstlight::render

@@ -21,13 +21,13 @@ struct Object {
   enum class Kind { shape, light, union_, intersection, merge };
 
   Kind kind = Kind::shape;
-  ShapePtr shape;                                            ///< of Kind::shape; its space is this object's
-  Light light;                                               ///< of Kind::light
-  std::shared_ptr<const std::vector<Object>> children;       ///< of the combining kinds (a difference is an intersection with
-                                                             ///< inverted further children)
-  std::shared_ptr<const std::vector<Object>> clipped_by;     ///< points of the surface outside any of these are cut away
-  std::shared_ptr<const std::vector<Object>> bounded_by;     ///< rays that miss any of these miss the object
-  bool bounds_are_clips = false;                             ///< bounded_by { clipped_by }
+  ShapePtr shape;                                       ///< of Kind::shape; its space is this object's
+  Light light;                                          ///< of Kind::light
+  std::shared_ptr<const std::vector<Object>> children;  ///< of the combining kinds (a difference is an intersection
+                                                        ///< with inverted further children)
+  std::shared_ptr<const std::vector<Object>> clipped_by;  ///< points of the surface outside any of these are cut away
+  std::shared_ptr<const std::vector<Object>> bounded_by;  ///< rays that miss any of these miss the object
+  bool bounds_are_clips = false;                          ///< bounded_by { clipped_by }
 
   /// Object to parent. Moves shape, children, clips and bounds, and every texture inside them.
   Transform placement;
@@ -46,13 +46,13 @@ struct Object {
   bool no_image = false;
   bool no_reflection = false;
   bool double_illuminate = false;
-  /// How deep and how large the tree below is. Sharing lets a short text describe trees that no machine can walk; whoever builds
-  /// an object keeps these in step, and the front end refuses too large ones.
-  std::uint32_t depth = 0;   ///< levels of children, clips and bounds below this object
-  std::uint64_t size = 1;    ///< objects in it, itself among them, each as often as it occurs
-  bool textured = false;     ///< it or something in it has a texture of its own
-  bool patch = false;        ///< it or something in it is a surface without an inside, such as a triangle
-  std::string name;  ///< identifier it was declared under, for choosing objects by name; may be empty
+  /// How deep and how large the tree below is. Sharing lets a short text describe trees that no machine can walk;
+  /// whoever builds an object keeps these in step, and the front end refuses too large ones.
+  std::uint32_t depth = 0;  ///< levels of children, clips and bounds below this object
+  std::uint64_t size = 1;   ///< objects in it, itself among them, each as often as it occurs
+  bool textured = false;    ///< it or something in it has a texture of its own
+  bool patch = false;       ///< it or something in it is a surface without an inside, such as a triangle
+  std::string name;         ///< identifier it was declared under, for choosing objects by name; may be empty
 };
 
 /// Moves the object on, with its textures.

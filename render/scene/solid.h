@@ -31,9 +31,9 @@ class Solid {
 
   Kind kind = Kind::shape;
   std::uint8_t hidden_from = 0;
-  std::uint32_t part = 0;  ///< of Kind::shape: index into Scene::parts
+  std::uint32_t part = 0;    ///< of Kind::shape: index into Scene::parts
   std::uint32_t matter = 0;  ///< at top level: index into Scene::interiors of the object that the solid belongs to
-  ShapePtr shape;          ///< of Kind::shape
+  ShapePtr shape;            ///< of Kind::shape
   std::vector<Solid> members;
   std::vector<Solid> clips;
   std::vector<Solid> bounds;

@@ -14,10 +14,10 @@ class Shape;
 
 /// One point where a ray passes through a surface.
 struct Crossing {
-  double depth = 0.0;       ///< along the ray, in its units
+  double depth = 0.0;  ///< along the ray, in its units
   const Shape* shape = nullptr;
-  std::uint32_t part = 0;   ///< index into Scene::parts; set by the solid that owns the shape
-  std::uint32_t face = 0;   ///< the shape's own note: which side, cap or triangle was met
+  std::uint32_t part = 0;  ///< index into Scene::parts; set by the solid that owns the shape
+  std::uint32_t face = 0;  ///< the shape's own note: which side, cap or triangle was met
 };
 
 /// The geometry of one primitive, placed in world space. Immutable; shared between copies of an object.

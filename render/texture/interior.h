@@ -10,7 +10,8 @@ struct Interior {
   double fade_distance = 0.0;  ///< scene units; 0 switches fading off
   double fade_power = 0.0;     ///< 1000 and more: exponential
   Rgb fade_color{0.0f, 0.0f, 0.0f};
-  double refraction_scale = 1.0;  ///< the old `refraction` factor on light that passes; 1 unless a legacy finish sets it
+  double refraction_scale =
+      1.0;  ///< the old `refraction` factor on light that passes; 1 unless a legacy finish sets it
 };
 
 }  // namespace firstlight::render

@@ -31,10 +31,10 @@ using ColorMap = std::vector<ColorMapEntry>;
 struct Pigment {
   FilteredColor color;                     ///< used when there is no pattern
   std::shared_ptr<const Pattern> pattern;  ///< null for a solid colour
-  bool stepped = false;                    ///< a list pattern (checker): map positions are list places, no wave, no blending
+  bool stepped = false;  ///< a list pattern (checker): map positions are list places, no wave, no blending
   Wave wave;
   ColorMap map;
-  Transform placement;                     ///< pattern space to the space of the texture
+  Transform placement;  ///< pattern space to the space of the texture
 };
 
 /// The pigment's colour at `point`, given in the space that the pigment is placed in.

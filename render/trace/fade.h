@@ -8,7 +8,8 @@
 namespace firstlight::render {
 
 /// Light left after `depth` scene units inside the matter.
-/// Source   POV-Ray 3.7: c + (1 - c) / (1 + (d / fade_distance)^fade_power); from power 1000 on exp(-(1 - c) d / fade_distance).
+/// Source   POV-Ray 3.7: c + (1 - c) / (1 + (d / fade_distance)^fade_power); from power 1000 on exp(-(1 - c) d /
+/// fade_distance).
 inline Rgb faded_light(const Interior& interior, double depth) {
   constexpr double kExponentialPower = 1000.0;
   const double distance = depth / interior.fade_distance;

@@ -7,8 +7,8 @@
 
 namespace firstlight::render {
 
-/// The interiors a ray is inside of, oldest first, as a number that fits into a ray task. Equal ways through matter give equal stacks;
-/// numbers differ from run to run, and nothing visible depends on them.
+/// The interiors a ray is inside of, oldest first, as a number that fits into a ray task. Equal ways through matter
+/// give equal stacks; numbers differ from run to run, and nothing visible depends on them.
 ///
 /// Memory   one node a distinct stack, kept for the whole frame.
 /// Threads  all members may be called from any thread.

@@ -67,7 +67,8 @@ struct Radiance {
 
 /// Rays that wait to be traced: a flat record with no pointer to a parent.
 ///
-/// Meaning  A radiance ray adds weight * local light to its sample. A record of shadow feelers stands for light that was
+/// Meaning  A radiance ray adds weight * local light to its sample. A record of shadow feelers stands for light that
+/// was
 ///          added as if unoccluded, from up to three lights; where a feeler is blocked, it takes back (1 - S) of the
 ///          light at stake, S being the share that passes.
 /// Source   Yagel & Meeker 1997, eq. 2-9 and section 7; docs/paper-notes.md.
@@ -77,7 +78,7 @@ struct RayTask {
 
   Vec3 origin;
   union {
-    Radiance radiance;                                  ///< of every kind but shadow
+    Radiance radiance;                                   ///< of every kind but shadow
     std::array<PackedRgb, kMostFeelers> light_at_stake;  ///< of kind shadow, exactly as it was added to the film
   };
   std::uint32_t sample = 0;  ///< index into the film

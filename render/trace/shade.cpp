@@ -45,8 +45,7 @@ void Stepper::shade(const RayTask& task, const Ray& ray, const Hit& hit) {
                         .from_inside = from_inside,
                         .level = task.level + (continued ? 0 : 1)};
 
-  const std::uint32_t texture =
-      from_inside && part.interior_texture != kNoIndex ? part.interior_texture : part.texture;
+  const std::uint32_t texture = from_inside && part.interior_texture != kNoIndex ? part.interior_texture : part.texture;
   if (texture == kNoIndex) return;
 
   const Rgb filter = shade_layers(surface, scene.textures[texture]);
@@ -110,11 +109,12 @@ void Stepper::shade_lights(const Surface& surface) {
     for (const Layer& layer : layers_) {
       const Finish& finish = *layer.finish;
       if (behind && finish.diffuse_back == 0.0) continue;
-      Rgb term = diffuse_light(finish, behind ? finish.diffuse_back : finish.diffuse, surface.normal, light, layer.color,
-                               layer.opacity);
+      Rgb term = diffuse_light(finish, behind ? finish.diffuse_back : finish.diffuse, surface.normal, light,
+                               layer.color, layer.opacity);
       if (!behind && !lights[i].shadowless) {
         if (finish.phong > 0.0) term += phong_light(finish, surface.direction, surface.normal, light, layer.color);
-        if (finish.specular > 0.0) term += specular_light(finish, surface.direction, surface.normal, light, layer.color);
+        if (finish.specular > 0.0)
+          term += specular_light(finish, surface.direction, surface.normal, light, layer.color);
       }
       lit += layer.filter * term;
     }
@@ -170,8 +170,9 @@ Rgb Stepper::reflectivity(const Surface& surface, const Finish& finish, const Rg
   } else {
     adc_weight *= strongest;
     const double grazing = 1.0 - cosine;
-    const double fraction =
-        std::abs(finish.reflection_falloff - 1.0) > kNegligible ? std::pow(grazing, finish.reflection_falloff) : grazing;
+    const double fraction = std::abs(finish.reflection_falloff - 1.0) > kNegligible
+                                ? std::pow(grazing, finish.reflection_falloff)
+                                : grazing;
     reflected = finish.reflection_max * static_cast<float>(fraction) +
                 finish.reflection_min * static_cast<float>(1.0 - fraction);
   }

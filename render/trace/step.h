@@ -31,10 +31,11 @@ struct TraceContext {
   MediumTable& media;
 };
 
-/// One worker's tracing step: nearest hits of a batch of tasks, then local shading. It never recurses along a ray tree and never
-/// traces a feeler it spawns.
+/// One worker's tracing step: nearest hits of a batch of tasks, then local shading. It never recurses along a ray tree
+/// and never traces a feeler it spawns.
 ///
-/// Sum rule  pixel = sum over tasks of task.weight * local, so child.weight = task.weight * factor. Lights are added as if
+/// Sum rule  pixel = sum over tasks of task.weight * local, so child.weight = task.weight * factor. Lights are added as
+/// if
 ///           unoccluded; a shadow child carries what it must take back when it is blocked.
 /// Source    Yagel & Meeker 1997, eq. 3-9; the local terms, weights and levels are POV-Ray 3.7's.
 /// Order     The contributions and tasks of a batch do not depend on how tasks are grouped into batches.
@@ -57,9 +58,9 @@ class Stepper {
   /// A layer of the texture that was met, as far as it matters to lights and reflections.
   struct Layer {
     const Finish* finish = nullptr;
-    Rgb color;              ///< of the pigment
-    Rgb filter;             ///< what the layers above let through
-    double opacity = 1.0;   ///< brightness left to the layer's own light
+    Rgb color;             ///< of the pigment
+    Rgb filter;            ///< what the layers above let through
+    double opacity = 1.0;  ///< brightness left to the layer's own light
     double adc_weight = 1.0;
     Rgb reflection;
   };
@@ -70,10 +71,10 @@ class Stepper {
     const Interior& interior;
     Vec3 direction;  ///< of the ray that met it
     Vec3 point;
-    Vec3 normal;     ///< unit, towards the ray's origin
+    Vec3 normal;  ///< unit, towards the ray's origin
     double depth;
     bool from_inside;
-    int level;       ///< of everything spawned here
+    int level;  ///< of everything spawned here
   };
 
   /// `rays` are those of `tasks`; empty: to be unpacked from the tasks.

@@ -75,7 +75,8 @@ TEST(Driver, StatisticsDescribeTheQueue) {
   const TraceStatistics queued = render_with(room, "contribution", 1).result.statistics;
   EXPECT_GT(queued.peak_rays, 0u);
   EXPECT_LE(queued.peak_rays, queued.worst_case_rays);
-  EXPECT_NEAR(queued.bytes_per_ray * static_cast<double>(queued.peak_rays), static_cast<double>(queued.peak_bytes), 1.0);
+  EXPECT_NEAR(queued.bytes_per_ray * static_cast<double>(queued.peak_rays), static_cast<double>(queued.peak_bytes),
+              1.0);
   EXPECT_TRUE(queued.first_image.has_value());
   const TraceStatistics recursive = render_with(room, "recursive", 1).result.statistics;
   EXPECT_EQ(recursive.peak_rays, 0u);

@@ -60,13 +60,15 @@ TEST(Film, SampleNumbersRunAlongRowsFromTheTop) {
 
 TEST(Film, NotANumberAddsNothing) {
   Film film(1, 1);
-  film.add(std::vector<Contribution>{{0, FixedRgb::from({std::numeric_limits<float>::quiet_NaN(), 0.25f, 0.5f})}}, true);
+  film.add(std::vector<Contribution>{{0, FixedRgb::from({std::numeric_limits<float>::quiet_NaN(), 0.25f, 0.5f})}},
+           true);
   EXPECT_EQ(film.color(0, 0), Rgb(0.0f, 0.25f, 0.5f));
 }
 
 TEST(Film, EnormousLightIsCutNotWrapped) {
   Film film(1, 1);
-  film.add(std::vector<Contribution>{{0, FixedRgb::from({std::numeric_limits<float>::infinity(), -1e30f, 1.0f})}}, true);
+  film.add(std::vector<Contribution>{{0, FixedRgb::from({std::numeric_limits<float>::infinity(), -1e30f, 1.0f})}},
+           true);
   EXPECT_EQ(film.color(0, 0), Rgb(16777216.0f, -16777216.0f, 1.0f));
 }
 

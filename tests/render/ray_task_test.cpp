@@ -21,7 +21,8 @@ TEST(PackedDirection, ComesBackWithinABillionth) {
 }
 
 TEST(PackedDirection, AxesComeBackExactly) {
-  for (const Vec3& axis : {Vec3(1, 0, 0), Vec3(-1, 0, 0), Vec3(0, 1, 0), Vec3(0, -1, 0), Vec3(0, 0, 1), Vec3(0, 0, -1)}) {
+  for (const Vec3& axis :
+       {Vec3(1, 0, 0), Vec3(-1, 0, 0), Vec3(0, 1, 0), Vec3(0, -1, 0), Vec3(0, 0, 1), Vec3(0, 0, -1)}) {
     EXPECT_EQ(PackedDirection(axis).unpack(), axis);
   }
 }
@@ -41,11 +42,11 @@ TEST(RayTask, ARecordHoldsThreeFeelersOfNeighbouringLights) {
   EXPECT_FALSE(task.add_feeler(70009, light));
   EXPECT_EQ(task.ray_count(), 3);
   std::vector<std::pair<std::uint32_t, Rgb>> feelers;
-  task.for_each_feeler([&](std::uint32_t index, const PackedRgb& at_stake) {
-    feelers.emplace_back(index, at_stake.unpack());
-  });
+  task.for_each_feeler(
+      [&](std::uint32_t index, const PackedRgb& at_stake) { feelers.emplace_back(index, at_stake.unpack()); });
   const Rgb expected(0.5f, 0.25f, 0.125f);
-  EXPECT_EQ(feelers, (std::vector<std::pair<std::uint32_t, Rgb>>{{70000, expected}, {70001, Rgb(1.0f)}, {70008, expected}}));
+  EXPECT_EQ(feelers,
+            (std::vector<std::pair<std::uint32_t, Rgb>>{{70000, expected}, {70001, Rgb(1.0f)}, {70008, expected}}));
 }
 
 TEST(RayTask, AFarLightNeedsARecordOfItsOwn) {

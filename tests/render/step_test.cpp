@@ -239,7 +239,8 @@ TEST(Step, BatchesDoNotShowInThePicture) {
   std::vector<Object> objects{object_of(make_plane({0, 1, 0}, -1.0), texture_of(opaque(0.7f), mirror)),
                               point_light({5, 9, -4}), point_light({-6, 3, -2})};
   for (int i = -2; i <= 2; ++i) {
-    objects.push_back(object_of(make_sphere({1.1 * i, 0, 5}, 0.6), texture_of({Rgb(0.9f, 0.5f, 0.4f), 0.2f * (i & 1), 0.0f}, mirror)));
+    objects.push_back(object_of(make_sphere({1.1 * i, 0, 5}, 0.6),
+                                texture_of({Rgb(0.9f, 0.5f, 0.4f), 0.2f * (i & 1), 0.0f}, mirror)));
   }
   TestScene scene(std::move(objects));
   const auto render = [&](std::size_t batch) {
