@@ -42,7 +42,6 @@ void Stepper::shade(const RayTask& task, const Ray& ray, const Hit& hit) {
                         .point = point,
                         .normal = normal,
                         .depth = hit.depth,
-                        .from_inside = from_inside,
                         .level = task.level + (continued ? 0 : 1)};
 
   const std::uint32_t texture = from_inside && part.interior_texture != kNoIndex ? part.interior_texture : part.texture;

@@ -73,7 +73,6 @@ class Stepper {
     Vec3 point;
     Vec3 normal;  ///< unit, towards the ray's origin
     double depth;
-    bool from_inside;
     int level;  ///< of everything spawned here
   };
 
