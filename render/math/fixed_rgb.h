@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <cstdlib>
 
 namespace firstlight::render {
 
@@ -32,11 +33,15 @@ struct FixedRgb {
     return *this;
   }
   FixedRgb& operator-=(const FixedRgb& other) { return *this += {-other.r, -other.g, -other.b}; }
+  /// The largest channel in size.
+  std::int64_t max_magnitude() const { return std::max({std::abs(r), std::abs(g), std::abs(b)}); }
   bool operator==(const FixedRgb&) const = default;
   /// Wraps instead of overflowing, so that even absurd scenes end in the same picture in any order.
   static std::int64_t sum(std::int64_t a, std::int64_t b) {
     return static_cast<std::int64_t>(static_cast<std::uint64_t>(a) + static_cast<std::uint64_t>(b));
   }
+  /// One channel's steps as a number, white being 1.
+  static double to_double(std::int64_t steps) { return static_cast<double>(steps) / kStepsPerUnit; }
 
  private:
   static constexpr int kStepBits = 36;
@@ -55,13 +60,15 @@ struct FixedRgb {
     return (mantissa + (std::int64_t{1} << (-shift - 1))) >> -shift;
   }
   static constexpr int kLargestShift = 42;  // a mantissa of 18 bits stays below the limit
-  static float to_float(std::int64_t steps) { return static_cast<float>(static_cast<double>(steps) / kStepsPerUnit); }
+  static float to_float(std::int64_t steps) { return static_cast<float>(to_double(steps)); }
 };
 
 /// Light to be added to a sample; negative where feelers take light back.
 struct Contribution {
   std::uint32_t sample = 0;
   FixedRgb light;
+  /// Change, in the steps of FixedRgb, of the most that rays still to be traced can change any channel of the sample.
+  std::int64_t outstanding = 0;
 };
 
 }  // namespace firstlight::render

@@ -73,7 +73,8 @@ struct Radiance {
 ///          light at stake, S being the share that passes.
 /// Source   Yagel & Meeker 1997, eq. 2-9 and section 7; docs/paper-notes.md.
 /// Memory   64 bytes.
-struct RayTask {
+class RayTask {
+ public:
   static constexpr int kMostFeelers = 3;
 
   Vec3 origin;
@@ -83,43 +84,53 @@ struct RayTask {
   };
   std::uint32_t sample = 0;  ///< index into the film
   std::uint32_t medium = 0;  ///< of MediumTable: what the ray travels in
-  std::uint32_t path = 0;    ///< hash of the way from the eye, for random choices; of feelers: the first one's light
-  RayKind kind = RayKind::primary;
-  std::uint8_t level = 0;  ///< trace level of the parent: 0 for a primary ray
-  std::uint8_t flags = 0;
-  std::uint8_t more_lights = 0;  ///< of feelers: bit i set for light `path` + 1 + i, in the order of light_at_stake
+  std::uint32_t path = 0;    ///< hash of the way from the eye, for random choices; of feelers: their lights, packed
+  RayKind kind : 2 = RayKind::primary;
+  std::uint8_t flags : 6 = 0;
+  std::uint8_t level = 0;            ///< trace level of the parent: 0 for a primary ray
+  std::uint16_t object = kNoObject;  ///< Part::object of the surface that the ray left
 
   static constexpr std::uint8_t kReflected = 1;  ///< a reflection lies on the way to the eye
   static constexpr std::uint8_t kContinued = 2;  ///< went straight on through a surface: does not raise the level
+  static constexpr std::uint16_t kNoObject = 0xffff;
 
   RayTask() : radiance() {}
 
+  /// Of kind shadow: index into Scene::lights of the first feeler's light.
+  std::uint32_t first_light() const { return path & kFirstLight; }
+  /// Of kind shadow: bit i set for light first_light() + 1 + i, in the order of light_at_stake.
+  std::uint32_t more_lights() const { return path >> kFirstLightBits; }
   /// How many rays the record stands for.
-  int ray_count() const { return 1 + (more_lights != 0 ? 1 : 0) + ((more_lights & (more_lights - 1)) != 0 ? 1 : 0); }
-  /// Turns the record into one feeler.
+  int ray_count() const { return kind == RayKind::shadow ? 1 + std::popcount(more_lights()) : 1; }
+  /// Turns the record into one feeler. Pre: light < kMostLights.
   void set_feeler(std::uint32_t light, PackedRgb at_stake) {
     kind = RayKind::shadow;
     path = light;
-    more_lights = 0;
     light_at_stake[0] = at_stake;
   }
   /// Adds a feeler if there is room. Pre: `light` is larger than those in the record.
   bool add_feeler(std::uint32_t light, PackedRgb at_stake) {
-    const std::uint32_t distance = light - path - 1;
-    if (distance >= 8 || ray_count() == kMostFeelers) return false;
+    const std::uint32_t distance = light - first_light() - 1;
+    if (distance >= 32 - kFirstLightBits || ray_count() == kMostFeelers) return false;
     light_at_stake[static_cast<std::size_t>(ray_count())] = at_stake;
-    more_lights = static_cast<std::uint8_t>(more_lights | 1u << distance);
+    path |= std::uint32_t{1} << (kFirstLightBits + distance);
     return true;
   }
   /// Calls visit(index into Scene::lights, light at stake) for each feeler.
   template <class Visit>
   void for_each_feeler(const Visit& visit) const {
-    visit(path, light_at_stake[0]);
+    visit(first_light(), light_at_stake[0]);
     std::size_t i = 1;
-    for (unsigned bits = more_lights; bits != 0; bits &= bits - 1) {
-      visit(path + 1 + static_cast<std::uint32_t>(std::countr_zero(bits)), light_at_stake[i++]);
+    for (unsigned bits = more_lights(); bits != 0; bits &= bits - 1) {
+      visit(first_light() + 1 + static_cast<std::uint32_t>(std::countr_zero(bits)), light_at_stake[i++]);
     }
   }
+
+  static constexpr std::uint32_t kFirstLightBits = 24;
+  static constexpr std::uint32_t kMostLights = 1u << kFirstLightBits;
+
+ private:
+  static constexpr std::uint32_t kFirstLight = kMostLights - 1;
 };
 static_assert(sizeof(RayTask) == 64);
 static_assert(std::is_trivially_destructible_v<RayTask>);

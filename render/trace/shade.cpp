@@ -99,7 +99,7 @@ void Stepper::shade_lights(const Surface& surface) {
   // All square roots first: behind the branches below the processor would wait for each of them.
   arriving_.resize(lights.size());
   for (std::size_t i = 0; i < lights.size(); ++i) arriving_[i] = illuminate(lights[i], surface.point);
-  int feelers = 0;  // records of this hit, at the end of spawned_
+  const std::size_t first_feeler = spawned_.size();
   for (std::uint32_t i = 0; i < lights.size(); ++i) {
     const Illumination& light = arriving_[i];
     if (is_negligible(light.color)) continue;
@@ -126,11 +126,11 @@ void Stepper::shade_lights(const Surface& surface) {
     // What is added is what the feeler can keep, so that a blocked light leaves nothing behind.
     const PackedRgb at_stake(weighted);
     sum_ += FixedRgb::from(at_stake);
-    if (feelers > 0 && spawned_.back().add_feeler(i, at_stake)) continue;
+    if (spawned_.size() > first_feeler && spawned_.back().add_feeler(i, at_stake)) continue;
     spawned_.push_back(child_of(surface, RayKind::shadow));
     spawned_.back().set_feeler(i, at_stake);
-    ++feelers;
   }
+  for (std::size_t i = first_feeler; i < spawned_.size(); ++i) spawned_at_stake_ += bound_.at_stake(spawned_[i]);
 }
 
 RayTask Stepper::child_of(const Surface& surface, RayKind kind) const {
@@ -140,7 +140,8 @@ RayTask Stepper::child_of(const Surface& surface, RayKind kind) const {
   child.medium = surface.task.medium;
   child.kind = kind;
   child.level = static_cast<std::uint8_t>(std::min(surface.level, 255));
-  child.flags = static_cast<std::uint8_t>(surface.task.flags & RayTask::kReflected);
+  child.flags = surface.task.flags & RayTask::kReflected;
+  child.object = static_cast<std::uint16_t>(std::min<std::uint32_t>(surface.part.object, RayTask::kNoObject));
   return child;
 }
 

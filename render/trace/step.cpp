@@ -32,6 +32,7 @@ bool is_worth_tracing(const Settings& settings, const RayTask& task) {
 
 Stepper::Stepper(const TraceContext& context)
     : context_(context),
+      bound_(context.scene),
       has_transparent_casters_(std::any_of(context.scene.parts.begin(), context.scene.parts.end(),
                                            [](const Part& part) { return !part.opaque; })) {}
 
@@ -73,7 +74,7 @@ void Stepper::step_radiance(std::span<const RayTask> tasks, std::span<const Ray>
     } else {
       shade(tasks[i], queries_[i].ray, hits_[i]);
     }
-    give_sum_to(tasks[i].sample);
+    finish(tasks[i]);
   }
 }
 
@@ -99,7 +100,7 @@ void Stepper::step_shadow(std::span<const RayTask> tasks) {
         if (passed != Rgb(1.0f)) add_light(at_stake.unpack() * (passed - Rgb(1.0f)));
       }
     });
-    give_sum_to(task.sample);
+    finish(task);
   }
 }
 
@@ -138,13 +139,16 @@ Rgb Stepper::passing_light(std::uint32_t medium, Ray ray, double distance) const
   return passed;
 }
 
-void Stepper::give_sum_to(std::uint32_t sample) {
-  if (sum_ != FixedRgb()) light_.push_back({sample, sum_});
+void Stepper::finish(const RayTask& task) {
+  light_.push_back({task.sample, sum_, spawned_at_stake_ - bound_.at_stake(task)});
   sum_ = FixedRgb();
+  spawned_at_stake_ = 0;
 }
 
 void Stepper::spawn(const RayTask& task) {
-  if (!is_black(task.radiance.weight())) spawned_.push_back(task);
+  if (is_black(task.radiance.weight())) return;
+  spawned_.push_back(task);
+  spawned_at_stake_ += bound_.at_stake(task);
 }
 
 void Stepper::add_sealed(RayTask root, const Rgb& weight, double exponent) {

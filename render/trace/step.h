@@ -4,6 +4,7 @@
 #include "render/math/fixed_rgb.h"
 #include "render/scene/scene.h"
 #include "render/trace/medium_table.h"
+#include "render/trace/radiance_bound.h"
 #include "render/trace/ray_task.h"
 
 #include <array>
@@ -91,8 +92,8 @@ class Stepper {
 
   /// Adds to the sum of the task at hand.
   void add_light(const Rgb& light) { sum_ += FixedRgb::from(light); }
-  /// Hands the sum to the film and begins a new one.
-  void give_sum_to(std::uint32_t sample);
+  /// Hands the sum to the film, with what `task` and its children change of the light outstanding, and begins a new one.
+  void finish(const RayTask& task);
   RayTask child_of(const Surface& surface, RayKind kind) const;
   void spawn(const RayTask& task);
   /// Adds weight * colour(root) ^ exponent: not a sum over rays, so the subtree is evaluated here, depth first.
@@ -102,6 +103,7 @@ class Stepper {
   Rgb passing_light(std::uint32_t medium, Ray ray, double distance) const;
 
   TraceContext context_;
+  RadianceBound bound_;
   bool has_transparent_casters_ = false;
   std::vector<RayQuery> queries_;
   std::vector<Hit> hits_;
@@ -109,6 +111,7 @@ class Stepper {
   std::vector<Layer> layers_;
   std::vector<Illumination> arriving_;  ///< from each light, at the surface at hand
   FixedRgb sum_;
+  std::int64_t spawned_at_stake_ = 0;  ///< of what the task at hand has spawned
   std::vector<Contribution> light_;
   std::vector<RayTask> spawned_;
   std::unique_ptr<Stepper> sealed_;  ///< made when first needed
