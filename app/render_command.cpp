@@ -7,7 +7,7 @@
 #include "app/stats.h"
 #include "parser/parser.h"
 #include "priority/driver.h"
-#include "priority/schemes.h"
+#include "priority/order.h"
 #include "render/accel/accel.h"
 
 #include <fmt/format.h>
@@ -115,9 +115,6 @@ int render_command(const Options& options, Clock::time_point start, const std::a
     if (module == nullptr) return fail(problem);
     front_end = &module->front_end();
   }
-  const priority::SchemeRow* const row = priority::find_scheme(options.scheme);
-  if (row == nullptr) return fail(fmt::format("there is no scheme '{}'", options.scheme));
-
   ProgressLine line(options.quiet);
   Stats stats;
   stats.scene = options.scene;
@@ -148,8 +145,11 @@ int render_command(const Options& options, Clock::time_point start, const std::a
     audience.snapshots.emplace(options.snapshots_folder, film, scene.settings);
     if (!audience.snapshots->error().empty()) return fail(audience.snapshots->error());
   }
-  std::unique_ptr<const priority::Scheme> scheme;
-  if (row->make != nullptr) scheme = row->make({options.width, options.height, scene.settings.max_trace_level});
+  std::string problem;
+  const std::optional<priority::Order> order =
+      priority::Order::parse(options.scheme, {&scene, options.width, options.height}, problem);
+  if (!order) return fail("--scheme: " + problem);
+  const std::shared_ptr<const priority::Scheme> scheme = order->scheme();
   priority::TraceOptions trace_options;
   trace_options.scheme = scheme.get();
   trace_options.threads = stats.threads;

@@ -1,7 +1,7 @@
+#include "priority/log_scale.h"
 #include "priority/schemes.h"
 
 #include <algorithm>
-#include <bit>
 #include <cstdint>
 
 namespace firstlight::priority {
@@ -13,20 +13,21 @@ namespace {
 /// less than half of that at 1.
 constexpr float kRadianceShare = 0.125f;
 
+constexpr LogScale kScale(-30, 10, 4);
+
 /// The more a ray can change its pixel, the earlier it leaves: by the largest component of the weight of a radiance
 /// ray, or of the light that a feeler would take back. Buckets are a sixteenth of an octave wide.
 /// Source   Yagel & Meeker 1997, section 4, "contribution".
 class Contribution final : public Scheme {
  public:
-  std::string_view name() const override { return "contribution"; }
-
   void keys(std::span<const render::RayTask> tasks, std::span<Key> keys) const override {
     for (std::size_t i = 0; i < tasks.size(); ++i) {
-      keys[i] = bucket(tasks[i].kind == render::RayKind::shadow
-                           ? most_at_stake(tasks[i])
-                           : render::max_magnitude(tasks[i].radiance.weight()) * kRadianceShare);
+      keys[i] = kScale.of(tasks[i].kind == render::RayKind::shadow
+                              ? most_at_stake(tasks[i])
+                              : render::max_magnitude(tasks[i].radiance.weight()) * kRadianceShare);
     }
   }
+  Key key_count() const override { return kScale.count(); }
 
  private:
   static float most_at_stake(const render::RayTask& feelers) {
@@ -36,18 +37,10 @@ class Contribution final : public Scheme {
     });
     return most;
   }
-
-  // The bits of a float without its sign grow with its size, so the exponent and the leading bits of the mantissa are
-  // a logarithm in steps of 1/16 octave. Not-a-number ends in the top buckets and comes to no harm there.
-  static Key bucket(float size) {
-    constexpr int kMantissaBits = 23;
-    constexpr int kStepBits = 4;
-    return (std::bit_cast<std::uint32_t>(size) & 0x7fffffffu) >> (kMantissaBits - kStepBits);
-  }
 };
 
 }  // namespace
 
-std::unique_ptr<const Scheme> make_contribution(const SchemeInput&) { return std::make_unique<Contribution>(); }
+SchemePtr make_contribution(const SchemeInput&, SchemeText*) { return std::make_shared<Contribution>(); }
 
 }  // namespace firstlight::priority

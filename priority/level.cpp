@@ -1,5 +1,7 @@
 #include "priority/schemes.h"
 
+#include <algorithm>
+
 namespace firstlight::priority {
 namespace {
 
@@ -7,16 +9,22 @@ namespace {
 /// Source   Yagel & Meeker 1997, section 4, "level".
 class Level final : public Scheme {
  public:
-  std::string_view name() const override { return "level"; }
+  explicit Level(Key last) : last_(last) {}
 
   void keys(std::span<const render::RayTask> tasks, std::span<Key> keys) const override {
-    constexpr Key kTop = 255;  // RayTask::level is a byte
-    for (std::size_t i = 0; i < tasks.size(); ++i) keys[i] = kTop - tasks[i].level;
+    for (std::size_t i = 0; i < tasks.size(); ++i) keys[i] = last_ - std::min<Key>(tasks[i].level, last_);
   }
+  Key key_count() const override { return last_ + 1; }
+
+ private:
+  Key last_;  ///< level of the last rays
 };
 
 }  // namespace
 
-std::unique_ptr<const Scheme> make_level(const SchemeInput&) { return std::make_unique<Level>(); }
+SchemePtr make_level(const SchemeInput& input, SchemeText*) {
+  constexpr int kLargest = 255;  // RayTask::level is a byte
+  return std::make_shared<Level>(static_cast<Key>(std::clamp(input.scene->settings.max_trace_level, 0, kLargest)));
+}
 
 }  // namespace firstlight::priority

@@ -1,22 +1,35 @@
 #include "priority/schemes.h"
 
+#include <array>
+
 namespace firstlight::priority {
 namespace {
 
-/// Primary rays first, then reflections, refractions and shadow feelers.
-/// Source   Yagel & Meeker 1997, section 4, "ray type", in the order of the paper's example.
+constexpr std::array<std::string_view, 4> kWords{"primary", "reflection", "transmission", "shadow"};
+
+/// By kind of ray, in the order that the user wants.
+/// Source   Yagel & Meeker 1997, section 4, "ray type"; without arguments in the order of the paper's example.
 class RayType final : public Scheme {
  public:
-  std::string_view name() const override { return "ray-type"; }
+  explicit RayType(std::span<const std::uint32_t> ranks) {
+    for (std::size_t kind = 0; kind < keys_.size(); ++kind)
+      keys_[kind] = static_cast<Key>(keys_.size()) - 1 - ranks[kind];
+  }
 
   void keys(std::span<const render::RayTask> tasks, std::span<Key> keys) const override {
-    constexpr Key kLast = static_cast<Key>(render::RayKind::shadow);
-    for (std::size_t i = 0; i < tasks.size(); ++i) keys[i] = kLast - static_cast<Key>(tasks[i].kind);
+    for (std::size_t i = 0; i < tasks.size(); ++i) keys[i] = keys_[static_cast<std::size_t>(tasks[i].kind)];
   }
+  Key key_count() const override { return static_cast<Key>(keys_.size()); }
+
+ private:
+  std::array<Key, kWords.size()> keys_{};  ///< by RayKind
 };
 
 }  // namespace
 
-std::unique_ptr<const Scheme> make_ray_type(const SchemeInput&) { return std::make_unique<RayType>(); }
+SchemePtr make_ray_type(const SchemeInput&, SchemeText* arguments) {
+  if (arguments == nullptr) return std::make_shared<RayType>(std::array<std::uint32_t, kWords.size()>{0, 1, 2, 3});
+  return std::make_shared<RayType>(read_ranks(*arguments, "a kind of ray", kWords));
+}
 
 }  // namespace firstlight::priority

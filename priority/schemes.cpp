@@ -7,10 +7,11 @@ namespace firstlight::priority {
 namespace {
 
 constexpr SchemeRow kSchemes[] = {
-    {"contribution", "rays that can change the picture most come first", make_contribution},
-    {"level", "rays after fewer reflections and refractions come first", make_level},
-    {"ray-type", "primary rays, then reflections, refractions, shadows", make_ray_type},
-    {"recursive", "the traditional order: pixel by pixel, depth first, no queue", nullptr},
+    {"contribution", "rays that can change the picture most come first", "", "contribution", make_contribution},
+    {"level", "rays after fewer reflections and refractions come first", "", "level", make_level},
+    {"ray-type", "by kind of ray; without a list: primary, reflection, transmission, shadow", "(KIND ...)", "ray-type",
+     make_ray_type},
+    {"recursive", "the traditional order: pixel by pixel, depth first, no queue", "", "recursive", nullptr},
 };
 
 }  // namespace

@@ -1,6 +1,8 @@
 #pragma once
 
 #include "priority/scheme.h"
+#include "priority/scheme_input.h"
+#include "priority/scheme_text.h"
 
 #include <memory>
 #include <span>
@@ -9,19 +11,17 @@
 
 namespace firstlight::priority {
 
-/// What a scheme may know of the picture beside the tasks.
-struct SchemeInput {
-  int width = 0;  ///< pixels
-  int height = 0;
-  int max_trace_level = 0;
-};
+using SchemePtr = std::shared_ptr<const Scheme>;
 
 /// A way to order the rays, as the user chooses it by name.
 struct SchemeRow {
   std::string_view name;
-  std::string_view meaning;  ///< one line for the help text
-  /// Null: the traditional order, pixel by pixel and depth first, without a queue.
-  std::unique_ptr<const Scheme> (*make)(const SchemeInput& input);
+  std::string_view meaning;    ///< one line for the help text
+  std::string_view arguments;  ///< as they are written behind the name; empty: it takes none
+  std::string_view example;    ///< text of an order that works with every scene
+  /// Null: the traditional order, pixel by pixel and depth first, without a queue. `arguments`: behind their opening
+  /// parenthesis; null: none were given. Throws SchemeError.
+  SchemePtr (*make)(const SchemeInput& input, SchemeText* arguments);
 };
 
 constexpr std::string_view kDefaultScheme = "contribution";
@@ -33,8 +33,11 @@ const SchemeRow* find_scheme(std::string_view name);
 /// "contribution, level, ..." for messages.
 std::string scheme_names();
 
-std::unique_ptr<const Scheme> make_contribution(const SchemeInput& input);
-std::unique_ptr<const Scheme> make_level(const SchemeInput& input);
-std::unique_ptr<const Scheme> make_ray_type(const SchemeInput& input);
+/// The scheme or mixture that `text` stands for, null for `recursive`. Throws SchemeError. [scheme_parser.cpp]
+SchemePtr parse_scheme(std::string_view text, const SchemeInput& input);
+
+SchemePtr make_contribution(const SchemeInput& input, SchemeText* arguments);
+SchemePtr make_level(const SchemeInput& input, SchemeText* arguments);
+SchemePtr make_ray_type(const SchemeInput& input, SchemeText* arguments);
 
 }  // namespace firstlight::priority

@@ -1,6 +1,7 @@
 #include "priority/driver.h"
 
 #include "priority/block_pool.h"
+#include "priority/order.h"
 #include "priority/schemes.h"
 #include "tests/priority/mirror_room.h"
 
@@ -25,8 +26,10 @@ struct Rendered {
 };
 
 Rendered render_with(MirrorRoom& room, std::string_view scheme_name, int threads, TraceOptions options = {}) {
-  const SchemeRow* const row = find_scheme(scheme_name);
-  const auto scheme = row->make != nullptr ? row->make({kWidth, kHeight, 5}) : nullptr;
+  std::string error;
+  const auto order = Order::parse(scheme_name, {&room.scene(), kWidth, kHeight}, error);
+  EXPECT_TRUE(order) << error;
+  const auto scheme = order->scheme();
   options.scheme = scheme.get();
   options.threads = threads;
   render::Film film(kWidth, kHeight);
@@ -47,7 +50,7 @@ TEST(Driver, EverySchemeAndThreadCountEndsInTheSamePicture) {
   ASSERT_GT(rays.of(render::RayKind::shadow), 1000u);
   for (const SchemeRow& row : schemes()) {
     for (const int threads : {1, 2, 3, 8}) {
-      const Rendered other = render_with(room, row.name, threads);
+      const Rendered other = render_with(room, row.example, threads);
       EXPECT_TRUE(other.result.complete) << other.result.error;
       EXPECT_TRUE(other.colors == reference.colors) << row.name << ", " << threads << " threads";
       EXPECT_EQ(other.result.statistics.rays.by_kind, rays.by_kind) << row.name << ", " << threads << " threads";
@@ -132,11 +135,11 @@ TEST(Driver, TellsOfTheFirstImageOnce) {
 /// A scheme that fails in the middle of the work.
 class Failing final : public Scheme {
  public:
-  std::string_view name() const override { return "failing"; }
   void keys(std::span<const render::RayTask>, std::span<Key> keys) const override {
     if (++calls_ == 10) throw std::bad_alloc();
     std::ranges::fill(keys, Key{1});
   }
+  Key key_count() const override { return 2; }
 
  private:
   mutable std::atomic<int> calls_ = 0;

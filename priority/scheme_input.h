@@ -1,0 +1,24 @@
+#pragma once
+
+#include "render/math/program.h"
+#include "render/scene/scene.h"
+
+#include <functional>
+#include <span>
+#include <string_view>
+
+namespace firstlight::priority {
+
+/// What a scheme may know of the picture beside the tasks. The scene outlives the scheme.
+struct SchemeInput {
+  /// Makes a program of an expression over the named parameters, which are its arguments in their order.
+  using Compile =
+      std::function<render::CompileResult(std::string_view text, std::span<const std::string_view> parameters)>;
+
+  const render::Scene* scene = nullptr;
+  int width = 0;  ///< pixels
+  int height = 0;
+  Compile compile = nullptr;  ///< empty: schemes with expressions are refused
+};
+
+}  // namespace firstlight::priority
