@@ -1,0 +1,22 @@
+#pragma once
+
+#include <optional>
+#include <span>
+
+namespace firstlight::app {
+
+struct CurvePoint {
+  double x = 0.0;
+  double y = 0.0;
+};
+
+/// Of straight lines from point to point. Pre: x does not decrease.
+double area_under(std::span<const CurvePoint> curve);
+
+/// The least x from which on the curve does not exceed `limit` again; nothing when it ends above.
+std::optional<double> settles_below(std::span<const CurvePoint> curve, double limit);
+
+/// Of an even number of values the mean of the two in the middle. Pre: not empty.
+double median(std::span<const double> values);
+
+}  // namespace firstlight::app
