@@ -1,5 +1,7 @@
 #include "render/film/film.h"
 
+#include <algorithm>
+
 namespace firstlight::render {
 
 Film::Film(int width, int height)
@@ -8,8 +10,10 @@ Film::Film(int width, int height)
       samples_(static_cast<std::size_t>(width) * static_cast<std::size_t>(height)),
       lit_(samples_.size()) {}
 
-void Film::expect(std::int64_t most) {
-  for (Sample& sample : samples_) sample.outstanding.store(most, std::memory_order_relaxed);
+void Film::expect(std::int64_t most, std::int64_t least) {
+  most_ = most;
+  least_ = least;
+  for (std::uint32_t i = 0; i < pixels(); ++i) samples_[i].outstanding.store(most, std::memory_order_relaxed);
 }
 
 void Film::add(std::span<const Contribution> contributions, bool alone) {
@@ -37,23 +41,75 @@ void Film::add(std::span<const Contribution> contributions, bool alone) {
 }
 
 Rgb Film::color(int x, int y) const {
-  const Sample& sample = samples_[index(x, y)];
-  return FixedRgb{sample.r.load(std::memory_order_relaxed), sample.g.load(std::memory_order_relaxed),
-                  sample.b.load(std::memory_order_relaxed)}
+  const std::size_t pixel = index(x, y);
+  return state(pixel) == State::refined ? refined_[pixel].color() : sample_color(static_cast<std::uint32_t>(pixel));
+}
+
+Rgb Film::sample_color(std::uint32_t sample) const {
+  const Sample& sums = samples_[sample];
+  return FixedRgb{sums.r.load(std::memory_order_relaxed), sums.g.load(std::memory_order_relaxed),
+                  sums.b.load(std::memory_order_relaxed)}
       .to_rgb();
 }
 
 double Film::outstanding(int x, int y) const {
-  return FixedRgb::to_double(samples_[index(x, y)].outstanding.load(std::memory_order_relaxed));
+  const std::size_t pixel = index(x, y);
+  const Sample& sample = samples_[pixel];
+  switch (state(pixel)) {
+    case State::first_sample:
+      break;
+    case State::undecided: {
+      // The pixel will be a mean of samples, of which all that is known is where they can end.
+      const auto [low, high] =
+          std::minmax({sample.r.load(std::memory_order_relaxed), sample.g.load(std::memory_order_relaxed),
+                       sample.b.load(std::memory_order_relaxed)});
+      return std::max(FixedRgb::to_double(most_) - FixedRgb::to_double(low),
+                      FixedRgb::to_double(high) - FixedRgb::to_double(least_));
+    }
+    case State::refined:
+      return open_share(static_cast<std::uint32_t>(pixel)) * (FixedRgb::to_double(most_) - FixedRgb::to_double(least_));
+  }
+  return FixedRgb::to_double(sample.outstanding.load(std::memory_order_relaxed));
 }
 
 std::vector<Rgb> Film::snapshot() const {
   std::vector<Rgb> picture;
-  picture.reserve(samples_.size());
+  picture.reserve(lit_.size());
   for (int y = 0; y < height_; ++y) {
     for (int x = 0; x < width_; ++x) picture.push_back(color(x, y));
   }
   return picture;
+}
+
+void Film::begin_refinement(std::uint32_t room) {
+  const std::size_t pixels = lit_.size();
+  samples_ = std::vector<Sample>();  // gives its memory back before more is asked for
+  samples_ = std::vector<Sample>(pixels + room);
+  states_ = std::vector<std::atomic<State>>(pixels);
+  for (std::atomic<State>& state : states_) state.store(State::undecided, std::memory_order_relaxed);
+  refined_ = std::vector<Refined>(pixels);
+  pixel_of_more_.resize(room);
+  expect(most_, least_);
+}
+
+void Film::begin_samples(std::span<const std::uint32_t> pixels) {
+  std::ranges::copy(pixels, pixel_of_more_.begin());
+  for (std::size_t i = 0; i < pixels.size(); ++i) {
+    Sample& sample = samples_[lit_.size() + i];
+    for (auto* const sum : {&sample.r, &sample.g, &sample.b}) sum->store(0, std::memory_order_relaxed);
+    sample.outstanding.store(most_, std::memory_order_relaxed);
+  }
+}
+
+void Film::settle(std::uint32_t pixel) { states_[pixel].store(State::first_sample, std::memory_order_release); }
+
+void Film::refine(std::uint32_t pixel, const Rgb& color, float open) {
+  Refined& refined = refined_[pixel];
+  refined.r.store(color.x, std::memory_order_relaxed);
+  refined.g.store(color.y, std::memory_order_relaxed);
+  refined.b.store(color.z, std::memory_order_relaxed);
+  refined.open.store(open, std::memory_order_relaxed);
+  states_[pixel].store(State::refined, std::memory_order_release);
 }
 
 }  // namespace firstlight::render

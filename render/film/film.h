@@ -12,30 +12,58 @@ namespace firstlight::render {
 
 /// The picture under construction: one exact sum a sample, and how much may still come.
 ///
+/// Samples  The first of each pixel are numbered along the rows from the top; what lies beyond them is anti-aliasing's.
 /// Order    The sums do not depend on the order or the grouping of add() calls, bit for bit.
-/// Memory   33 bytes a sample.
+/// Memory   33 bytes a sample; with anti-aliasing 17 more a pixel, and 36 for each sample there is room for.
 /// Threads  add(), mark_lit() and all that read may be called from any thread; a reader may see some of a batch's
-///          contributions and not others.
+///          contributions and not others. The rest: one thread, while nobody adds.
 class Film {
  public:
   Film(int width, int height);
 
   int width() const { return width_; }
   int height() const { return height_; }
+  std::uint32_t pixels() const { return static_cast<std::uint32_t>(lit_.size()); }
 
   /// To be called before anything is added: each sample's primary ray can bring `most` at most, in steps of FixedRgb.
-  void expect(std::int64_t most);
+  void expect(std::int64_t most) { expect(most, -most); }
+  /// The same where no sample ends below `least`.
+  void expect(std::int64_t most, std::int64_t least);
   /// `alone`: no other thread adds meanwhile, so plain additions will do.
   void add(std::span<const Contribution> contributions, bool alone);
   /// The light of the primary ray of `sample` is on the film.
-  void mark_lit(std::uint32_t sample) { lit_[sample].store(1, std::memory_order_relaxed); }
+  void mark_lit(std::uint32_t sample) {
+    if (sample < lit_.size()) lit_[sample].store(1, std::memory_order_relaxed);
+  }
 
   bool is_lit(int x, int y) const { return lit_[index(x, y)].load(std::memory_order_relaxed) != 0; }
+  /// Of a pixel, as far as it is: its first sample, or what anti-aliasing has made of several.
   Rgb color(int x, int y) const;
   /// The most that rays still to be traced can change any channel of a pixel; 0: the pixel is complete.
   double outstanding(int x, int y) const;
   /// All colours, rows from the top.
   std::vector<Rgb> snapshot() const;
+
+  Rgb sample_color(std::uint32_t sample) const;
+  /// The number, row by row, of the pixel that a sample belongs to.
+  std::uint32_t pixel_of(std::uint32_t sample) const {
+    return sample < pixels() ? sample : pixel_of_more_[sample - pixels()];
+  }
+
+  // ---- For anti-aliasing
+  /// From now on no pixel is complete before settle() or refine() says so. Makes room for `room` samples beyond the
+  /// pixels; throws std::bad_alloc. Pre: nothing has been added.
+  void begin_refinement(std::uint32_t room);
+  /// The samples beyond the pixels begin anew: one for each of `pixels`, to which they belong, numbered from pixels().
+  /// Pre: no more than there is room for.
+  void begin_samples(std::span<const std::uint32_t> pixels);
+  std::uint32_t room() const { return static_cast<std::uint32_t>(pixel_of_more_.size()); }
+  /// The pixel is its first sample, and no more are needed.
+  void settle(std::uint32_t pixel);
+  /// The pixel has a colour of several samples; `open`, of 1, is the share of it that still changes.
+  void refine(std::uint32_t pixel, const Rgb& color, float open);
+  Rgb refined_color(std::uint32_t pixel) const { return refined_[pixel].color(); }
+  float open_share(std::uint32_t pixel) const { return refined_[pixel].open.load(std::memory_order_relaxed); }
 
  private:
   struct alignas(32) Sample {
@@ -44,14 +72,35 @@ class Film {
     std::atomic<std::int64_t> b = 0;
     std::atomic<std::int64_t> outstanding = 0;
   };
+  enum class State : std::uint8_t { first_sample, undecided, refined };
+  struct Refined {
+    std::atomic<float> r = 0.0f;
+    std::atomic<float> g = 0.0f;
+    std::atomic<float> b = 0.0f;
+    std::atomic<float> open = 0.0f;
+
+    Rgb color() const {
+      return {r.load(std::memory_order_relaxed), g.load(std::memory_order_relaxed), b.load(std::memory_order_relaxed)};
+    }
+  };
+
   std::size_t index(int x, int y) const {
     return static_cast<std::size_t>(y) * static_cast<std::size_t>(width_) + static_cast<std::size_t>(x);
+  }
+  State state(std::size_t pixel) const {
+    return states_.empty() ? State::first_sample : states_[pixel].load(std::memory_order_acquire);
   }
 
   int width_;
   int height_;
   std::vector<Sample> samples_;
   std::vector<std::atomic<std::uint8_t>> lit_;
+  std::int64_t most_ = 0;   // that a sample can end with
+  std::int64_t least_ = 0;  // the same from below
+  // Of anti-aliasing; empty without it.
+  std::vector<std::atomic<State>> states_;
+  std::vector<Refined> refined_;
+  std::vector<std::uint32_t> pixel_of_more_;
 };
 
 }  // namespace firstlight::render
