@@ -1,5 +1,8 @@
 #pragma once
 
+#include "render/film/antialias_settings.h"
+
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -21,6 +24,7 @@ struct Options {
   std::vector<std::string> library_paths;
   std::vector<std::pair<std::string, std::string>> declares;  ///< name, number
   double clock = 0.0;
+  std::optional<render::AntialiasSettings> antialias;  ///< none: one sample a pixel
 
   std::string scheme = "contribution";
   std::string stats_file;        ///< empty: none
