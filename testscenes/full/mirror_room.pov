@@ -1,8 +1,11 @@
 // The scene of Yagel and Meeker, "Priority-driven Ray Tracing" (1997): a sphere-flake in a room of mirrors, with three
 // lights and five levels. The flake has 7,381 spheres: one, and nine smaller ones on each, four times (1 + 9 + 81 + 729 + 6561).
+// Other numbers of lights (1 to 3) and levels are set on the command line: declare=Lights=1 declare=Levels=3
 
 #version 3.7;
-global_settings { assumed_gamma 1 max_trace_level 5 }
+#ifndef (Lights) #declare Lights = 3; #end
+#ifndef (Levels) #declare Levels = 5; #end
+global_settings { assumed_gamma 1 max_trace_level Levels }
 
 camera {
   location <3.1, 1.25, -4.1>
@@ -12,8 +15,8 @@ camera {
 }
 
 light_source { <3.2, 3.6, -3.6>, rgb <0.95, 0.85, 0.7> }
-light_source { <-3.6, 2.8, -2.4>, rgb <0.2, 0.32, 0.6> }
-light_source { <-0.6, 3.2, 3.7>, rgb <0.65, 0.3, 0.25> }
+#if (Lights > 1) light_source { <-3.6, 2.8, -2.4>, rgb <0.2, 0.32, 0.6> } #end
+#if (Lights > 2) light_source { <-0.6, 3.2, 3.7>, rgb <0.65, 0.3, 0.25> } #end
 
 // ---- The room: a checkered floor, a ceiling, and four walls of mirror --------------------------------------------
 #declare Mirror = texture {
