@@ -30,8 +30,8 @@ struct Plot {
   double x_most = 0.0;   ///< 0: as far as the lines go
   double y_most = 0.0;   ///< 0: as far as the lines go
   double y_least = 0.0;  ///< of a logarithmic scale; smaller values lie on the floor
-  int width = 720;       ///< in units of the picture, which grows with the page
-  int height = 360;
+  int width = 560;       ///< in units of the picture, which grows with the page
+  int height = 320;
   std::vector<PlotLine> lines;
 };
 

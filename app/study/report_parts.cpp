@@ -83,7 +83,7 @@ std::string time_table(const Study& study) {
         digits(0), false},
        {"of the worst case", [](Scheme, Summary s) { return std::optional(s.peak_of_worst_case); },
         [](double value) { return fmt::format("{:.2f} %", 100.0 * value); }, false},
-       {"its memory, MB",
+       {"memory of the queue, MB",
         [](Scheme scheme, Summary) { return std::optional(static_cast<double>(scheme.statistics.peak_bytes) / 1e6); },
         digits(1), false}});
 }

@@ -1,0 +1,126 @@
+#include "app/study/command.h"
+
+#include "app/front_ends.h"
+#include "app/load_scene.h"
+#include "app/progress.h"
+#include "app/render_command.h"
+#include "app/study/measure.h"
+#include "app/study/options.h"
+#include "app/study/report_folder.h"
+#include "parser/parser.h"
+#include "priority/order.h"
+#include "render/scene/file_encoding.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cstdio>
+#include <filesystem>
+#include <memory>
+#include <thread>
+#include <utility>
+
+namespace firstlight::app {
+namespace {
+
+int fail(const std::string& why) {
+  fmt::print(stderr, "firstlight: error: {}\n", why);
+  return kExitFailure;
+}
+
+int interrupted() {
+  fmt::print(stderr, "firstlight: interrupted; no report written\n");
+  return kExitInterrupted;
+}
+
+/// As it can be typed into a shell again.
+std::string command_text(std::span<const std::string> arguments) {
+  std::string text = "firstlight study";
+  for (const std::string& word : arguments) {
+    const bool plain = !word.empty() && word.find_first_of(" \t'\"\\;*?()[]<>|&$`#~") == std::string::npos;
+    if (plain) {
+      text += " " + word;
+      continue;
+    }
+    text += " '";
+    for (const char c : word) text += c == '\'' ? std::string("'\\''") : std::string(1, c);
+    text += "'";
+  }
+  return text;
+}
+
+/// Fills plan.schemes. Empty, or what is wrong with one of the texts.
+std::string choose_schemes(const StudyOptions& options, StudyPlan& plan) {
+  const std::vector<std::string> texts = options.schemes.empty() ? all_study_schemes() : options.schemes;
+  const priority::SchemeInput input{.scene = plan.scene, .width = plan.width, .height = plan.height};
+  for (const std::string& text : texts) {
+    std::string problem;
+    const auto order = priority::Order::parse(text, input, problem);
+    if (!order) return fmt::format("scheme '{}': {}", text, problem);
+    plan.schemes.push_back({text, order->scheme()});
+  }
+  return {};
+}
+
+}  // namespace
+
+int study_command(std::span<const std::string> arguments, const std::atomic<bool>& stop) {
+  const StudyCommandLine line = parse_study_command_line(arguments);
+  if (line.wish == StudyCommandLine::Wish::help) {
+    fmt::print("{}", study_help_text());
+    return 0;
+  }
+  for (const std::string& error : line.errors) fmt::print(stderr, "firstlight: error: {}\n", error);
+  if (!line.errors.empty()) return kExitFailure;
+  const Options& options = line.options.scene;
+
+  // Declared before everything the scene is kept in: the module has to live longer than its scene.
+  std::unique_ptr<FrontEndModule> module;
+  const parser::PovFrontEnd pov;
+  const render::FrontEnd* front_end = &pov;
+  if (!options.front_end.empty()) {
+    std::string problem;
+    module = FrontEndModule::open(options.front_end, problem);
+    if (module == nullptr) return fail(problem);
+    front_end = &module->front_end();
+  }
+  ProgressLine progress(options.quiet);
+  progress.stage("reading the scene");
+  const render::LoadResult loaded = load_scene(options, *front_end, progress);
+  if (loaded.scene == nullptr) return kExitFailure;
+  const render::Accel accel(*loaded.scene);
+
+  StudyPlan plan;
+  plan.scene = loaded.scene.get();
+  plan.accel = &accel;
+  plan.width = options.width;
+  plan.height = options.height;
+  plan.threads =
+      options.threads > 0 ? options.threads : static_cast<int>(std::max(1u, std::thread::hardware_concurrency()));
+  plan.queue_memory = options.queue_memory;
+  plan.antialias = options.antialias;
+  plan.rounds = line.options.rounds;
+  plan.stop = &stop;
+  plan.say = [&](const std::string& what) { progress.stage(what); };
+  if (const std::string problem = choose_schemes(line.options, plan); !problem.empty()) return fail(problem);
+
+  ReportFolder folder(line.options.folder, plan.width, plan.height, render::file_encoding(plan.scene->settings));
+  if (const std::string problem = folder.prepare(); !problem.empty()) return fail(problem);
+  plan.keep_picture = [&](std::size_t scheme, double share, std::span<const render::Rgb> colors) {
+    return folder.keep_picture(scheme, plan.schemes[scheme].text, share, colors);
+  };
+
+  Study study;
+  study.scene = std::filesystem::path(options.scene).filename().string();
+  study.command = command_text(arguments);
+  std::string problem = measure(plan, study);
+  progress.clear();
+  if (stop) return interrupted();
+  if (problem.empty()) problem = folder.error();
+  if (problem.empty()) problem = folder.write(study);
+  if (!problem.empty()) return fail(problem);
+  if (!options.quiet) fmt::print(stderr, "{}: the report, CSV files beside it\n", folder.page());
+  return 0;
+}
+
+}  // namespace firstlight::app
