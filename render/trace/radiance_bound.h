@@ -13,13 +13,17 @@ namespace firstlight::render {
 ///
 /// Units    Of any channel, white being 1; at_stake() in the steps of FixedRgb.
 /// Source   No surface gives more than its own light and its highlights under all lights at their brightest, and what
-///          it reflects and lets through of the most that the next level can bring.
+///          it reflects and lets through of the most that the next level can bring (surface_limits.h).
+/// Exact    to the rounding of the film, half a step an addition.
 /// Threads  Immutable.
 class RadianceBound {
  public:
   explicit RadianceBound(const Scene& scene);
 
-  /// False where no bound is known: endless rows of clear surfaces, each with a highlight. at_stake() is a guess then.
+  /// False where there is no bound, and at_stake() is an estimate: rows of surfaces that take no light away but add
+  /// some, as clear glass without refraction does with its highlights, may be of any length; the estimate allows for
+  /// four in a row. Matter, filters and powers may be described that make more light of little. In random scenes of
+  /// the first kind the estimate held at every moment, of the second kind at 99.9 % (radiance_bound_test.cpp).
   bool known() const { return known_; }
   /// Of a ray of weight 1 whose parent has the given trace level; does not grow with the level.
   float most(int level) const { return most_[static_cast<std::size_t>(level)]; }

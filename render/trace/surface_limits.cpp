@@ -1,0 +1,275 @@
+#include "render/trace/surface_limits.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <unordered_set>
+
+namespace firstlight::render {
+namespace {
+
+using Channels = std::array<double, 3>;
+
+constexpr double kNegligible = 1e-10;
+/// Colours between two entries of a map are rounded to single precision.
+constexpr double kBlendError = 1e-6;
+
+Channels channels_of(const Rgb& color) { return {color.x, color.y, color.z}; }
+double largest(const Rgb& color) { return static_cast<double>(max_magnitude(color)); }
+double largest(const Channels& c) { return std::max({std::abs(c[0]), std::abs(c[1]), std::abs(c[2])}); }
+
+struct Range {
+  double low = INFINITY;
+  double high = -INFINITY;
+
+  void include(double value) {
+    low = std::min(low, value);
+    high = std::max(high, value);
+  }
+  double size() const { return std::max(std::abs(low), std::abs(high)); }
+};
+
+/// begin + slope t.
+struct Line {
+  double begin = 0.0;
+  double slope = 0.0;
+};
+
+/// Values of a(t) b(t) + c(t) for t in [0, 1]: at the ends, or where the parabola turns.
+void include_product(Range& range, const Line& a, const Line& b, const Line& c) {
+  const auto value = [&](double t) {
+    return (a.begin + a.slope * t) * (b.begin + b.slope * t) + c.begin + c.slope * t;
+  };
+  range.include(value(0.0));
+  range.include(value(1.0));
+  const double square = a.slope * b.slope;
+  const double turn = -(a.begin * b.slope + a.slope * b.begin + c.slope) / (2.0 * square);
+  if (square != 0.0 && turn > 0.0 && turn < 1.0) range.include(value(turn));
+}
+
+/// All that a pigment can be anywhere, channel by channel.
+struct PigmentLimits {
+  std::array<Range, 3> color;
+  std::array<Range, 3> passed;  ///< tint of the light that goes through
+  Channels body{};              ///< most of colour times opacity: what its own and its diffuse light are multiplied by
+
+  PigmentLimits(const Pigment& pigment, int language_version) : old_opacity_(language_version < 370) {
+    if (!pigment.pattern) {
+      include(pigment.color, pigment.color, 0.0);
+    } else if (pigment.map.empty()) {
+      include({}, {}, 0.0);
+    } else {
+      for (const ColorMapEntry& entry : pigment.map) include(entry.color, entry.color, 0.0);
+      for (std::size_t i = 1; !pigment.stepped && i < pigment.map.size(); ++i) {
+        include(pigment.map[i - 1].color, pigment.map[i].color, kBlendError);
+      }
+    }
+    if (old_opacity_) {
+      for (std::size_t i = 0; i < 3; ++i) body[i] = color[i].size() * old_opacity_most_;
+    }
+  }
+
+  double most_passed() const { return std::max({passed[0].size(), passed[1].size(), passed[2].size()}); }
+  bool has_negative_color() const { return std::min({color[0].low, color[1].low, color[2].low}) < 0.0; }
+  /// Whether it can only take light away from what goes through.
+  bool only_takes() const {
+    return std::ranges::all_of(
+        passed, [](const Range& range) { return range.low >= -kBlendError && range.high <= 1.0 + kBlendError; });
+  }
+
+ private:
+  void include(const FilteredColor& from, const FilteredColor& to, double error) {
+    const auto line = [](float a, float b) { return Line{a, static_cast<double>(b) - static_cast<double>(a)}; };
+    const Line filter = line(from.filter, to.filter);
+    const Line transmit = line(from.transmit, to.transmit);
+    const Line opacity{1.0 - filter.begin - transmit.begin, -filter.slope - transmit.slope};
+    const Channels first = channels_of(from.rgb);
+    const Channels last = channels_of(to.rgb);
+    for (std::size_t i = 0; i < 3; ++i) {
+      const Line tint{first[i], last[i] - first[i]};
+      color[i].include(first[i]);
+      color[i].include(last[i]);
+      Range through;
+      include_product(through, filter, tint, transmit);
+      passed[i].include(through.low);
+      passed[i].include(through.high);
+      // Before 3.7 opacity is 1 - passed of the strongest channel, whichever that is.
+      old_opacity_most_ = std::max({old_opacity_most_, std::abs(1.0 - through.low), std::abs(1.0 - through.high)});
+      Range own;
+      include_product(own, tint, opacity, {});
+      body[i] = std::max(body[i], own.size() + error * std::max(std::abs(first[i]), std::abs(last[i])));
+    }
+  }
+
+  bool old_opacity_;
+  double old_opacity_most_ = 0.0;
+};
+
+/// Largest factor of metallic_tint(): 1 + (color - 1) m, for m from 0 to `metallic`.
+double largest_tint(double metallic, const Range& color) {
+  return std::max(1.0, std::abs(1.0 - metallic) + std::abs(metallic) * color.size());
+}
+
+class Maker {
+ public:
+  Maker(const Scene& scene, SurfaceLimits& limits) : scene_(scene), limits_(limits) {
+    add_lights();
+    look_at_matter();
+  }
+
+  void add(const Texture& texture);
+
+ private:
+  /// To be called for what a bound depends on.
+  void need(bool condition) { limits_.proven = limits_.proven && condition; }
+  void add_lights();
+  void look_at_matter();
+  double lit(const Finish& finish, const PigmentLimits& pigment, std::size_t channel);
+  double mirror_of(const Finish& finish, const PigmentLimits& pigment);
+
+  const Scene& scene_;
+  SurfaceLimits& limits_;
+  Channels diffuse_lights_{};  ///< sum of all lights at their brightest
+  Channels shining_lights_{};  ///< of those that give highlights
+  double matter_ = 1.0;        ///< most that is left of light that crossed matter
+  bool bends_ = false;         ///< rays may be bent
+  bool goes_straight_ = true;  ///< rays may go straight on
+};
+
+void Maker::add_lights() {
+  for (const Light& light : scene_.lights) {
+    double factor = 1.0;
+    if (light.fade_power > 0.0 && std::abs(light.fade_distance) > kNegligible) {
+      factor = 2.0;
+      need(light.fade_distance > 0.0);
+    }
+    const Channels color = channels_of(light.color);
+    for (std::size_t i = 0; i < 3; ++i) {
+      diffuse_lights_[i] += std::abs(color[i]) * factor;
+      if (!light.shadowless) shining_lights_[i] += std::abs(color[i]) * factor;
+    }
+  }
+}
+
+void Maker::look_at_matter() {
+  const double around = scene_.settings.atmosphere_ior;
+  const auto is_air = [around](double ior) { return std::abs(ior / around - 1.0) < kNegligible; };
+  matter_ = 0.0;
+  for (const Interior& interior : scene_.interiors) {
+    matter_ = std::max(matter_, std::abs(interior.refraction_scale));
+    if (!is_air(interior.ior)) bends_ = true;
+    if (std::abs(interior.fade_distance) <= kNegligible) continue;
+    const Rgb& color = interior.fade_color;
+    need(interior.fade_distance > 0.0 && std::min({color.x, color.y, color.z}) >= 0.0f && max_component(color) <= 1.0f);
+  }
+  // Of one kind of matter alone, other than the air's, both sides of each surface differ, and every ray is bent.
+  std::unordered_set<std::uint32_t> clear;
+  for (const Part& part : scene_.parts) {
+    if (!part.opaque) clear.insert(part.interior);
+  }
+  if (clear.size() != 1 || is_air(scene_.interiors[*clear.begin()].ior)) return;
+  goes_straight_ = std::ranges::any_of(scene_.solids, [&](const Solid& solid) {
+    return !clear.contains(solid.matter) && solid.inside(scene_.camera.location);
+  });
+}
+
+/// Diffuse light and highlights of all lights, and what shines by itself.
+double Maker::lit(const Finish& finish, const PigmentLimits& pigment, std::size_t channel) {
+  // A cosine to a power is at most 1, unless the power is negative.
+  const auto largest_of = [&](double amount, double exponent) {
+    need(amount <= 0.0 || exponent >= 0.0);
+    return std::max(0.0, amount);
+  };
+  const double diffuse = largest_of(std::max(finish.diffuse, finish.diffuse_back), finish.brilliance);
+  const double highlights =
+      largest_of(finish.phong, finish.phong_size) + largest_of(finish.specular, finish.roughness_exponent);
+  const double tint = finish.metallic > 0.0 ? largest_tint(finish.metallic, pigment.color[channel]) : 1.0;
+  const double glow =
+      std::abs(channels_of(finish.ambient)[channel] * channels_of(scene_.settings.ambient_light)[channel] +
+               channels_of(finish.emission)[channel]);
+  return pigment.body[channel] * (glow + diffuse * diffuse_lights_[channel]) +
+         highlights * tint * shining_lights_[channel];
+}
+
+double Maker::mirror_of(const Finish& finish, const PigmentLimits& pigment) {
+  double mirror = 0.0;
+  const Channels least = channels_of(finish.reflection_min);
+  const Channels most = channels_of(finish.reflection_max);
+  for (std::size_t i = 0; i < 3; ++i) {
+    mirror = std::max(mirror, std::max(std::abs(least[i]), std::abs(most[i])) *
+                                  largest_tint(finish.reflection_metallic, pigment.color[i]));
+  }
+  need(mirror == 0.0 || finish.reflection_fresnel || finish.reflection_falloff >= 0.0);
+  return mirror;
+}
+
+void Maker::add(const Texture& texture) {
+  SurfaceAnswer answer;
+  Channels own{};
+  double passed = 1.0;
+  double most_kept = 1.0;       // of what passes, the rest being mirrored
+  double kept_at_mirror = 1.0;  // where it mirrors most
+  bool only_takes = true;
+  for (const TextureLayer& layer : texture.layers) {
+    const PigmentLimits pigment(layer.pigment, scene_.settings.language_version);
+    const Finish& finish = layer.finish;
+    for (std::size_t i = 0; i < 3; ++i) own[i] += passed * most_kept * lit(finish, pigment, i);
+    const double mirror = mirror_of(finish, pigment);
+    if (finish.reflection_exponent == 1.0) {
+      answer.mirrored += mirror;
+    } else if (mirror > 0.0) {
+      const bool is_bounded = finish.reflection_exponent >= 0.0 && finish.reflection_exponent < INFINITY;
+      need(is_bounded);
+      answer.sealed.push_back({mirror, is_bounded ? finish.reflection_exponent : 1.0});
+    }
+    passed *= pigment.most_passed();
+    only_takes = only_takes && pigment.only_takes();
+    if (!finish.conserve_energy) continue;
+    const bool positive =
+        std::min({finish.reflection_min.x, finish.reflection_min.y, finish.reflection_min.z, finish.reflection_max.x,
+                  finish.reflection_max.y, finish.reflection_max.z}) >= 0.0f &&
+        finish.reflection_metallic >= 0.0 && finish.reflection_metallic <= 1.0 && !pigment.has_negative_color();
+    most_kept *= std::max(1.0, std::abs(1.0 - mirror));
+    // Light that is both mirrored and passed on is largest at one end of what the mirror may be.
+    kept_at_mirror *=
+        texture.layers.size() == 1 && positive ? std::abs(1.0 - mirror) : std::max(1.0, std::abs(1.0 - mirror));
+  }
+  answer.own = largest(own);
+  need(only_takes || is_opaque(texture));  // a feeler may cross any number of surfaces
+  if (passed * most_kept * (1.0 + kBlendError) <= scene_.settings.adc_bailout) {  // no ray is sent through
+    limits_.answers.push_back(answer);
+    return;
+  }
+  const auto add_passing = [&](SurfaceAnswer with, double share) {
+    with.straight = goes_straight_ ? share : 0.0;
+    with.bent = bends_ ? share : 0.0;
+    limits_.answers.push_back(with);
+  };
+  add_passing(answer, passed * kept_at_mirror * matter_);
+  SurfaceAnswer unmirrored;
+  unmirrored.own = answer.own;
+  if (kept_at_mirror < most_kept) add_passing(unmirrored, passed * most_kept * matter_);
+  if (bends_) {  // total reflection, which mirrors nothing beside
+    unmirrored.bent = matter_;
+    limits_.answers.push_back(unmirrored);
+  }
+}
+
+}  // namespace
+
+double SurfaceAnswer::from_this_side(double incoming) const {
+  double light = own + mirrored * incoming;
+  for (const Power& power : sealed) light += power.factor * std::pow(incoming, power.exponent);
+  return light;
+}
+
+SurfaceLimits::SurfaceLimits(const Scene& scene) : background(largest(scene.settings.background)) {
+  Maker maker(scene, *this);
+  std::unordered_set<const Texture*> seen;  // one texture may stand in many places
+  for (const PlacedTexture& placed : scene.textures) {
+    if (seen.insert(placed.texture.get()).second) maker.add(*placed.texture);
+  }
+}
+
+}  // namespace firstlight::render
