@@ -7,7 +7,7 @@ namespace firstlight::render {
 namespace {
 
 // After so many rounds whatever may be needed is traced, so that no picture takes many more of them.
-constexpr int kPatience = 8;
+constexpr int kPatience = 4;
 
 // Added up as POV-Ray does: the moves of the samples depend on the last bits.
 std::vector<double> grid_offsets(int depth) {

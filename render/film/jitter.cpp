@@ -22,6 +22,13 @@ constexpr std::array<std::uint16_t, kMask + 1> shuffled_numbers() {
   return numbers;
 }
 
+// `part` / 65536 with six decimals: far rows of a checkered floor show the difference.
+constexpr float six_decimals(std::int64_t part) {
+  const std::int64_t size = part < 0 ? -part : part;
+  const std::int64_t millionths = (2 * size * 1'000'000 + 65536) / (2 * 65536);
+  return static_cast<float>(part < 0 ? -millionths : millionths) / 1e6f;
+}
+
 // 256 numbers between -1/2 and 1/2. They are a linear code over bits: entry i is the exclusive or of the entries of its
 // bits, each of which is the one before, doubled in the field of 2^16 elements by 0x8006.
 constexpr std::array<float, 256> moves() {
@@ -33,7 +40,7 @@ constexpr std::array<float, 256> moves() {
       if ((bits & 1) != 0) sum ^= entry;
       entry = (entry << 1) ^ ((entry & 0x8000) != 0 ? 0x18006u : 0u);
     }
-    table[i] = static_cast<float>(sum) / 65536.0f - 0.5f;
+    table[i] = six_decimals(static_cast<std::int64_t>(sum) - 32768);
   }
   return table;
 }
