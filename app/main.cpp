@@ -1,6 +1,9 @@
 #include "app/options.h"
 #include "app/process_start.h"
+#include "app/raw_terminal.h"
 #include "app/render_command.h"
+#include "app/steer_client.h"
+#include "app/study/command.h"
 #include "app/version.h"
 
 #include <fmt/format.h>
@@ -11,6 +14,7 @@
 #include <cstdio>
 #include <exception>
 #include <new>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -19,18 +23,30 @@ namespace {
 std::atomic<bool> g_stop = false;
 static_assert(std::atomic<bool>::is_always_lock_free, "a signal handler sets it");
 
-// The second Ctrl-C finds the system's own handler and ends the program at once.
-void ask_to_stop(int) { g_stop.store(true); }
+// The second Ctrl-C does what Ctrl-C always does: it ends the program at once.
+void ask_to_stop(int signal) {
+  if (!g_stop.exchange(true)) return;
+  firstlight::app::RawTerminal::restore();
+  std::signal(signal, SIG_DFL);
+  raise(signal);
+}
 
 void watch_signal(int signal) {
   struct sigaction action {};
   action.sa_handler = ask_to_stop;
-  action.sa_flags = SA_RESETHAND;
   sigaction(signal, &action, nullptr);
 }
 
 int run(std::vector<std::string> arguments, std::chrono::steady_clock::time_point start) {
   using firstlight::app::CommandLine;
+  if (!arguments.empty() && arguments[0] == "steer") {
+    return firstlight::app::steer_client(std::span(arguments).subspan(1));
+  }
+  if (!arguments.empty() && arguments[0] == "study") {
+    watch_signal(SIGINT);
+    watch_signal(SIGTERM);
+    return firstlight::app::study_command(std::span(arguments).subspan(1), g_stop);
+  }
   const CommandLine line = firstlight::app::parse_command_line(arguments);
   switch (line.wish) {
     case CommandLine::Wish::help:
@@ -41,6 +57,9 @@ int run(std::vector<std::string> arguments, std::chrono::steady_clock::time_poin
       return 0;
     case CommandLine::Wish::render:
       break;
+  }
+  for (const std::string& warning : line.warnings) {
+    if (!line.options.quiet) fmt::print(stderr, "firstlight: warning: {}\n", warning);
   }
   for (const std::string& error : line.errors) fmt::print(stderr, "firstlight: error: {}\n", error);
   if (!line.errors.empty()) return firstlight::app::kExitFailure;

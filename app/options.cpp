@@ -1,10 +1,12 @@
 #include "app/options.h"
 
-#include "app/pov_options.h"
+#include "app/argument_reader.h"
+#include "app/boost_text.h"
+#include "app/long_options.h"
+#include "app/terminal_keys.h"
 #include "priority/schemes.h"
 
 #include <fmt/format.h>
-#include <CLI/CLI.hpp>
 
 #include <algorithm>
 #include <cctype>
@@ -16,38 +18,15 @@
 namespace firstlight::app {
 namespace {
 
-constexpr int kMostThreads = 512;
-
-struct LongOptions {
-  LongOptions(Options& options, bool& version) {
-    app.set_help_flag("--help", "Show this help and leave");
-    app.add_flag("--version", version, "Show the version and leave");
-    app.add_option("--threads", options.threads, "Threads that trace; all processors if not given")
-        ->check(CLI::Range(1, kMostThreads))
-        ->type_name("N");
-    app.add_option("--scheme", options.scheme, "The order of the rays (see below)")->type_name("NAME");
-    app.add_option("--stats", options.stats_file, "Write times, rays and queue sizes as JSON")->type_name("FILE");
-    app.add_option("--snapshots", options.snapshots_folder, "Write intermediate pictures to a folder")
-        ->type_name("DIR");
-    app.add_option("--front-end", options.front_end, "Read the scene with a loadable module")->type_name("FILE");
-    app.add_flag("--quiet", options.quiet, "Show errors only");
-  }
-
-  CLI::App app{"Renders a POV-Ray scene, the rays that matter most first.", "firstlight"};
-};
-
-std::vector<std::string> long_names(const CLI::App& app) {
-  std::vector<std::string> names;
-  for (const CLI::Option* option : app.get_options()) {
-    for (const std::string& name : option->get_lnames()) names.push_back("--" + name);
-  }
-  return names;
+bool is_plain_name(std::string_view text) {
+  return std::ranges::all_of(text, [](unsigned char c) { return std::isalpha(c) || c == '-'; });
 }
 
 void check(CommandLine& line) {
   const Options& options = line.options;
   if (options.scene.empty()) line.errors.emplace_back("no scene given; usage: firstlight SCENE.pov [options]");
-  if (priority::find_scheme(options.scheme) == nullptr) {
+  // Mixtures and schemes with arguments need the scene to be understood; a plain wrong name need not wait for it.
+  if (is_plain_name(options.scheme) && priority::find_scheme(options.scheme) == nullptr) {
     line.errors.push_back(
         fmt::format("--scheme {}: there is no such scheme; known are {}", options.scheme, priority::scheme_names()));
   }
@@ -74,59 +53,23 @@ void check(CommandLine& line) {
 
 CommandLine parse_command_line(std::span<const std::string> arguments) {
   CommandLine line;
-  bool version = false;
-  LongOptions long_options(line.options, version);
-  PovOptions pov(line);
-  std::vector<std::string> long_words;
-  for (std::size_t i = 0; i < arguments.size(); ++i) {
-    const std::string& word = arguments[i];
-    if (!word.starts_with("--")) {
-      pov.read_word(word);
-      continue;
-    }
-    const std::string name = word.substr(0, word.find('='));
-    const CLI::Option* const option = long_options.app.get_option_no_throw(name);
-    if (option == nullptr) {
-      const std::string near = nearest(name, long_names(long_options.app));
-      line.errors.push_back(
-          fmt::format("unknown option '{}'{}", word,
-                      near.empty() ? std::string("; --help lists all") : "; the nearest known one is " + near));
-      continue;
-    }
-    long_words.push_back(word);
-    if (option->get_items_expected_min() > 0 && name == word) {
-      if (i + 1 == arguments.size()) {
-        line.errors.push_back(fmt::format("option '{}': expected a value after it", word));
-        return line;
-      }
-      long_words.back() += "=" + arguments[++i];
-    }
-  }
-  pov.finish();
-  try {
-    std::ranges::reverse(long_words);  // as CLI11 wants them
-    long_options.app.parse(std::move(long_words));
-  } catch (const CLI::CallForHelp&) {
-    line.wish = CommandLine::Wish::help;
+  ArgumentReader reader(line);
+  reader.read(arguments);
+  reader.finish();
+  if (line.wish != CommandLine::Wish::render) {
     line.errors.clear();
-    return line;
-  } catch (const CLI::ParseError& error) {
-    line.errors.emplace_back(error.what());
+  } else if (line.errors.empty()) {
+    check(line);
   }
-  if (version) {
-    line.wish = CommandLine::Wish::version;
-    line.errors.clear();
-    return line;
-  }
-  if (line.errors.empty()) check(line);
   return line;
 }
 
 std::string help_text() {
-  Options options;
-  bool version = false;
-  std::string text = "Usage: firstlight SCENE.pov [switches] [options]\n\n";
-  text +=
+  CommandLine defaults;
+  std::string text =
+      "Usage: firstlight SCENE.pov [switches] [options]\n"
+      "       firstlight SETTINGS.ini[section] ...\n"
+      "       firstlight steer SOCKET [command]\n\n"
       "Renders a POV-Ray scene, the rays that matter most first, to an image file.\n\n"
       "POV-Ray's switches (no space between a switch and its value):\n"
       "  +ISCENE       the scene, also without +I\n"
@@ -136,21 +79,21 @@ std::string help_text() {
       "  +WTn          threads, as --threads\n"
       "  +FN           file type: N PNG, T TGA, P PPM, B BMP, J JPEG, E OpenEXR, H Radiance; -F writes no picture\n"
       "  +Kn           the scene's clock\n"
+      "  +A0.3 +AM1    anti-aliasing: its threshold, and its method 1 or 2; -A switches it off. With it +R3 (depth),\n"
+      "                +J0.5 or -J (jitter), +AG2.5 (gamma), +BS32 (block size); see docs/antialiasing.md\n"
       "  declare=A=1   sets an identifier before the scene is read\n"
-      "Also the long names of .ini files, such as Width=640. Switches that cannot change the picture, such as -D, -J\n"
-      "and +V, are accepted and have no effect; +A and others that would are refused.\n\nOptions:\n";
-  const LongOptions long_options(options, version);
-  const CLI::App& app = long_options.app;
-  for (const CLI::Option* option : app.get_options()) {
-    const std::string left =
-        option->get_name() + (option->get_items_expected_min() > 0 ? " " + option->get_type_name() : "");
-    text += fmt::format("  {:<20}  {}\n", left, option->get_description());
-  }
-  text += "\nSchemes:\n";
+      "Also the long names of .ini files, such as Width=640. Switches that cannot change the picture, such as -D and\n"
+      "+V, are accepted and have no effect; others that would are refused. An .ini file may hold all of these, and "
+      "the\n"
+      "options below as Scheme=, Queue_Memory=, Stop_After= and so on.\n\nOptions:\n";
+  text += LongOptions(defaults).help();
+  text += "\nSchemes, alone or mixed (docs/schemes.md):\n";
   for (const priority::SchemeRow& row : priority::schemes()) {
-    text += fmt::format("  {:<20}  {}{}\n", row.name, row.meaning,
+    text += fmt::format("  {:<22}  {}{}\n", fmt::format("{}{}", row.name, row.arguments), row.meaning,
                         row.name == priority::kDefaultScheme ? " (default)" : "");
   }
+  text += fmt::format("\nBoosts:\n{}", boost_help());
+  text += fmt::format("\nWhile it renders, on a terminal:\n{}", keys_help());
   return text;
 }
 

@@ -2,6 +2,7 @@
 
 #include "render/film/antialias_settings.h"
 
+#include <cstddef>
 #include <optional>
 #include <span>
 #include <string>
@@ -26,10 +27,15 @@ struct Options {
   double clock = 0.0;
   std::optional<render::AntialiasSettings> antialias;  ///< none: one sample a pixel
 
-  std::string scheme = "contribution";
-  std::string stats_file;        ///< empty: none
-  std::string snapshots_folder;  ///< empty: none
-  std::string front_end;         ///< loadable module that reads the scene; empty: our own
+  std::string scheme = "contribution";  ///< a scheme or a mixture, as priority::Order::parse reads it
+  std::vector<std::string> boosts;      ///< as parse_boost reads them
+  std::size_t queue_memory = 0;         ///< bytes; 0: a share of the machine's memory
+  double stop_at_error = 0.0;           ///< 0: never
+  double stop_after = 0.0;              ///< seconds; 0: never
+  std::string steer;                    ///< path of a socket, "-" for the standard input; empty: none
+  std::string stats_file;               ///< empty: none
+  std::string snapshots_folder;         ///< empty: none
+  std::string front_end;                ///< loadable module that reads the scene; empty: our own
   bool quiet = false;
 };
 
@@ -42,7 +48,10 @@ struct CommandLine {
   std::vector<std::string> errors;  ///< when not empty, nothing else counts
 };
 
-/// Reads the arguments after the program's name: POV-Ray's switches in any order, and our own long options.
+constexpr int kMostThreads = 512;
+
+/// Reads the arguments after the program's name: POV-Ray's switches in any order, our own long options, and the names
+/// of .ini files that hold more of both.
 CommandLine parse_command_line(std::span<const std::string> arguments);
 
 std::string help_text();

@@ -1,5 +1,6 @@
 #include "app/picture_file.h"
 
+#include "render/film/preview.h"
 #include "render/image/encode.h"
 #include "render/image/image_io.h"
 #include "render/scene/file_encoding.h"
@@ -13,7 +14,7 @@ namespace firstlight::app {
 
 std::string write_film(const std::string& path, const render::Film& film, const render::Settings& settings) {
   const render::Encoding encoding = render::file_encoding(settings);
-  const std::vector<render::Rgb> colors = film.snapshot();
+  const std::vector<render::Rgb> colors = render::preview(film);
   if (render::holds_light(path)) {
     return render::write_light(path, film.width(), film.height(), render::to_light(colors, encoding));
   }

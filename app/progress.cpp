@@ -33,32 +33,68 @@ std::string short_time(double seconds) {
                       : fmt::format("{}:{:02} h", whole / 3600, whole / 60 % 60);
 }
 
+std::string remaining_text(double remaining, bool is_bound) {
+  return fmt::format(
+      "{} {} off", is_bound ? "at most" : "about",
+      remaining < 0.0001 && remaining > 0.0 ? fmt::format("{:.1e}", remaining) : fmt::format("{:.4f}", remaining));
+}
+
+double percent_done(const priority::Progress& progress) {
+  // The first image is worth a third of the whole; then it is the share of the known rays that are traced.
+  constexpr double kFirstImageShare = 0.33;
+  const double first_image = static_cast<double>(progress.tiles_done) / std::max(progress.tiles, 1u);
+  if (progress.rays_waiting == 0) return 100.0 * first_image;
+  double done = kFirstImageShare * first_image;
+  if (progress.tiles_done == progress.tiles) {
+    const auto traced = static_cast<double>(progress.traced.total());
+    done += (1.0 - kFirstImageShare) * traced / (traced + static_cast<double>(progress.rays_waiting));
+  }
+  return 100.0 * done;
+}
+
+std::string progress_text(const priority::Progress& progress, double percent, bool paused) {
+  const double rate = progress.seconds > 0.0 ? static_cast<double>(progress.traced.total()) / progress.seconds : 0.0;
+  const char* const stage = progress.tiles_done < progress.tiles ? "first image" : "refining";
+  return fmt::format("{} {:.0f} %, {}, {} rays done, {} waiting, {} a second, {}", paused ? "paused at" : stage,
+                     percent, remaining_text(progress.remaining, progress.remaining_is_bound),
+                     short_count(progress.traced.total()), short_count(progress.rays_waiting),
+                     short_count(static_cast<std::uint64_t>(rate)), short_time(progress.seconds));
+}
+
 ProgressLine::ProgressLine(bool quiet) : shown_(!quiet && isatty(STDERR_FILENO) != 0) {}
 
 ProgressLine::~ProgressLine() { clear(); }
 
-void ProgressLine::stage(const std::string& what) { show(what); }
+void ProgressLine::stage(const std::string& what) {
+  const std::lock_guard lock(mutex_);
+  show(what);
+}
 
-void ProgressLine::progress(const priority::Progress& progress) {
+void ProgressLine::set_hint(std::string hint) {
+  const std::lock_guard lock(mutex_);
+  hint_ = std::move(hint);
+}
+
+void ProgressLine::progress(const priority::Progress& progress, bool paused) {
   if (!shown_) return;
-  // The first image is worth a third of the bar; then it is the share of the known rays that are traced.
-  constexpr double kFirstImageShare = 0.33;
-  double done = kFirstImageShare * progress.tiles_done / std::max(progress.tiles, 1u);
-  if (progress.rays_waiting == 0) {
-    done = static_cast<double>(progress.tiles_done) / std::max(progress.tiles, 1u);
-  } else if (progress.tiles_done == progress.tiles) {
-    done += (1.0 - kFirstImageShare) * static_cast<double>(progress.rays_traced) /
-            static_cast<double>(progress.rays_traced + progress.rays_waiting);
-  }
-  percent_ = std::max(percent_, 100.0 * done);
-  const double rate = progress.seconds > 0.0 ? static_cast<double>(progress.rays_traced) / progress.seconds : 0.0;
-  show(fmt::format("{} {:3.0f} %  {} rays done, {} waiting, {} a second, {}",
-                   progress.tiles_done < progress.tiles ? "first image" : "refining", percent_,
-                   short_count(progress.rays_traced), short_count(progress.rays_waiting),
-                   short_count(static_cast<std::uint64_t>(rate)), short_time(progress.seconds)));
+  const std::lock_guard lock(mutex_);
+  percent_ = std::max(percent_, percent_done(progress));
+  show(progress_text(progress, percent_, paused));
+}
+
+void ProgressLine::note(const std::string& text) {
+  if (!shown_) return;
+  const std::lock_guard lock(mutex_);
+  wipe();
+  fmt::print(stderr, "{}{}", text, text.ends_with('\n') ? "" : "\n");
 }
 
 void ProgressLine::clear() {
+  const std::lock_guard lock(mutex_);
+  wipe();
+}
+
+void ProgressLine::wipe() {
   if (!std::exchange(on_screen_, false)) return;
   std::fputs("\r\x1b[K", stderr);
   std::fflush(stderr);
@@ -66,7 +102,10 @@ void ProgressLine::clear() {
 
 void ProgressLine::show(std::string text) {
   if (!shown_) return;
-  text.resize(std::min(text.size(), terminal_width() - 1));
+  const std::size_t hint = hint_.empty() ? 0 : hint_.size() + 2;
+  const std::size_t width = std::max(terminal_width() - 1, hint);
+  text.resize(std::min(text.size(), width - hint));
+  if (hint > 0) text += "  " + hint_;
   fmt::print(stderr, "\r{}\x1b[K", text);
   std::fflush(stderr);
   on_screen_ = true;

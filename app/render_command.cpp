@@ -1,6 +1,13 @@
 #include "app/render_command.h"
 
+#include "app/antialias.h"
+#include "app/audience.h"
+#include "app/boost_text.h"
+#include "app/cockpit.h"
+#include "app/ending.h"
 #include "app/front_ends.h"
+#include "app/load_scene.h"
+#include "app/memory_size.h"
 #include "app/picture_file.h"
 #include "app/progress.h"
 #include "app/snapshots.h"
@@ -9,22 +16,25 @@
 #include "priority/driver.h"
 #include "priority/order.h"
 #include "render/accel/accel.h"
+#include "render/trace/radiance_bound.h"
 
 #include <fmt/format.h>
-#include <unistd.h>
 
 #include <algorithm>
 #include <cstdio>
 #include <memory>
 #include <optional>
 #include <thread>
+#include <utility>
 
 namespace firstlight::app {
 namespace {
 
 using Clock = std::chrono::steady_clock;
 
-double seconds_since(Clock::time_point begin) { return std::chrono::duration<double>(Clock::now() - begin).count(); }
+double seconds_between(Clock::time_point begin, Clock::time_point end) {
+  return std::chrono::duration<double>(end - begin).count();
+}
 
 void say(const std::string& text) { fmt::print(stderr, "{}\n", text); }
 
@@ -33,42 +43,10 @@ int fail(const std::string& why) {
   return kExitFailure;
 }
 
-/// Passes what happens on to the progress line and to the snapshots, if there are any.
-struct Audience final : priority::Observer {
-  explicit Audience(ProgressLine& progress_line) : line(progress_line) {}
-
-  void progress(const priority::Progress& progress) override { line.progress(progress); }
-  void key_changed(const priority::Progress& progress) override {
-    if (snapshots) snapshots->key_changed(progress);
-  }
-  void first_image(const priority::Progress& progress) override {
-    if (snapshots) snapshots->first_image(progress);
-  }
-
-  ProgressLine& line;
-  std::optional<Snapshots> snapshots;
-};
-
-/// Reads the scene and shows what the front end has to say about it.
-render::LoadResult load(const Options& options, const render::FrontEnd& front_end, ProgressLine& line) {
-  render::LoadOptions load;
-  load.width = options.width;
-  load.height = options.height;
-  load.library_paths = options.library_paths;
-  load.declares = options.declares;
-  load.clock = options.clock;
-  std::size_t shown = 0;
-  const auto show = [&](const render::Diagnostic& diagnostic) {
-    ++shown;
-    if (options.quiet && diagnostic.severity != render::Diagnostic::Severity::error) return;
-    line.clear();
-    say(render::format(diagnostic));
-  };
-  load.report = show;
-  render::LoadResult result = front_end.load(options.scene, load);
-  // A front end of another making may not report as it reads.
-  for (std::size_t i = shown; i < result.diagnostics.size(); ++i) show(result.diagnostics[i]);
-  return result;
+int interrupted(Clock::time_point start) {
+  say(fmt::format("firstlight: interrupted after {}; no picture written",
+                  short_time(seconds_between(start, Clock::now()))));
+  return kExitInterrupted;
 }
 
 /// Where files are to be written, before hours are spent on what goes into them. Empty, or what is wrong.
@@ -79,24 +57,44 @@ std::string check_outputs(const Options& options, const std::string& picture) {
   return problem;
 }
 
-// Half of the machine's memory: the rest is for the scene, the film and others.
-std::size_t default_queue_budget() {
-  const long pages = sysconf(_SC_PHYS_PAGES);
-  const long page_size = sysconf(_SC_PAGESIZE);
-  return pages > 0 && page_size > 0 ? static_cast<std::size_t>(pages) / 2 * static_cast<std::size_t>(page_size) : 0;
+/// The scheme and the boosts that the user wants from the beginning.
+std::optional<priority::Order> read_order(const Options& options, const priority::SchemeInput& input,
+                                          std::string& error) {
+  std::optional<priority::Order> order = priority::Order::parse(options.scheme, input, error);
+  if (!order) {
+    error = "--scheme: " + error;
+    return std::nullopt;
+  }
+  for (const std::string& text : options.boosts) {
+    const auto boost = parse_boost(text, order->boosts(), error);
+    if (boost) error = order->add(*boost);
+    if (!error.empty()) {
+      error = fmt::format("--boost '{}': {}", text, error);
+      return std::nullopt;
+    }
+  }
+  return order;
 }
 
-int interrupted(Clock::time_point start) {
-  say(fmt::format("firstlight: interrupted after {}; no picture written", short_time(seconds_since(start))));
-  return kExitInterrupted;
+priority::TraceOptions trace_options(const Options& options, const Stats& stats, const std::atomic<bool>& stop) {
+  priority::TraceOptions out;
+  out.threads = stats.threads;
+  out.queue_memory = stats.queue_memory;
+  out.stop = &stop;
+  out.stop_at_error = options.stop_at_error;
+  out.stop_after = options.stop_after;
+  return out;
 }
 
-std::string summary(const Options& options, const std::string& picture, const Stats& stats) {
-  std::string text = options.write_picture ? picture : "no picture written";
-  text += fmt::format(": {} x {}, {} rays, trace {}, total {}", stats.width, stats.height,
-                      short_count(stats.rays.rays.total()), short_time(stats.trace), short_time(stats.total));
-  if (stats.first_image) text += fmt::format(", first image after {}", short_time(*stats.first_image));
-  return text;
+void take_over(const priority::TraceResult& traced, Clock::time_point start, Stats& stats) {
+  stats.rays = traced.statistics;
+  stats.trace = traced.statistics.seconds;
+  stats.end = traced.end;
+  const auto since_start = [&](const std::optional<Clock::time_point>& moment) {
+    return moment ? std::optional(seconds_between(start, *moment)) : std::nullopt;
+  };
+  stats.preview = since_start(traced.statistics.preview);
+  stats.first_image = since_start(traced.statistics.first_image);
 }
 
 }  // namespace
@@ -105,15 +103,20 @@ int render_command(const Options& options, Clock::time_point start, const std::a
   const std::string picture = picture_path(options);
   if (const std::string problem = check_outputs(options, picture); !problem.empty()) return fail(problem);
 
+  std::string problem;
   // Declared before everything the scene is kept in: the module has to live longer than its scene.
   std::unique_ptr<FrontEndModule> module;
   const parser::PovFrontEnd pov;
   const render::FrontEnd* front_end = &pov;
   if (!options.front_end.empty()) {
-    std::string problem;
     module = FrontEndModule::open(options.front_end, problem);
     if (module == nullptr) return fail(problem);
     front_end = &module->front_end();
+  }
+  std::unique_ptr<SteerServer> server;
+  if (!options.steer.empty()) {
+    server = SteerServer::open(options.steer, problem);
+    if (server == nullptr) return fail("--steer: " + problem);
   }
   ProgressLine line(options.quiet);
   Stats stats;
@@ -123,61 +126,68 @@ int render_command(const Options& options, Clock::time_point start, const std::a
       options.threads > 0 ? options.threads : static_cast<int>(std::max(1u, std::thread::hardware_concurrency()));
   stats.width = options.width;
   stats.height = options.height;
+  stats.queue_memory = options.queue_memory > 0 ? options.queue_memory : default_queue_memory();
 
   line.stage("reading the scene");
   const auto parse_begin = Clock::now();
-  const render::LoadResult loaded = load(options, *front_end, line);
-  stats.parse = seconds_since(parse_begin);
+  const render::LoadResult loaded = load_scene(options, *front_end, line);
+  stats.parse = seconds_between(parse_begin, Clock::now());
   if (loaded.scene == nullptr) return kExitFailure;
   const render::Scene& scene = *loaded.scene;
+  stats.remaining_is_bound = render::RadianceBound(scene).known();
+  std::optional<priority::Order> order = read_order(options, {&scene, options.width, options.height}, problem);
+  if (!order) return fail(problem);
 
   if (stop) return interrupted(start);
 
   line.stage("building the hierarchy");
   const auto build_begin = Clock::now();
   const render::Accel accel(scene);
-  stats.build = seconds_since(build_begin);
+  stats.build = seconds_between(build_begin, Clock::now());
 
   render::MediumTable media;
   render::Film film(options.width, options.height);
-  Audience audience(line);
+  const auto write = [&](const std::string& file) -> std::string {
+    if (file.empty() && !options.write_picture) return "no picture is to be written (-F)";
+    return write_film(file.empty() ? picture : file, film, scene.settings);
+  };
+  priority::Steering steering(std::move(*order));
+  Desk desk(steering);
+  Audience audience(line, steering, desk, write);
+  std::optional<Snapshots> snapshots;
   if (!options.snapshots_folder.empty()) {
-    audience.snapshots.emplace(options.snapshots_folder, film, scene.settings);
-    if (!audience.snapshots->error().empty()) return fail(audience.snapshots->error());
+    snapshots.emplace(options.snapshots_folder, film, scene.settings);
+    if (!snapshots->error().empty()) return fail(snapshots->error());
+    audience.take_snapshots(*snapshots);
   }
-  std::string problem;
-  const std::optional<priority::Order> order =
-      priority::Order::parse(options.scheme, {&scene, options.width, options.height}, problem);
-  if (!order) return fail("--scheme: " + problem);
-  const std::shared_ptr<const priority::Scheme> scheme = order->scheme();
-  priority::TraceOptions trace_options;
-  trace_options.scheme = scheme.get();
-  trace_options.threads = stats.threads;
-  trace_options.queue_budget = default_queue_budget();
-  trace_options.observer = &audience;
-  trace_options.stop = &stop;
-  const priority::TraceResult traced = priority::trace({scene, accel, media}, film, trace_options);
+  priority::TraceOptions tracing = trace_options(options, stats, stop);
+  const std::optional<render::AntialiasSettings> antialias = antialias_of(options, scene.settings);
+  if (antialias) tracing.antialias = &*antialias;
+  tracing.steering = &steering;
+  tracing.observer = &audience;
+  priority::TraceResult traced;
+  {
+    const bool keys = !options.quiet && options.steer != "-" && line.is_shown() && RawTerminal::exists();
+    const Cockpit cockpit(steering, desk, line, std::move(server), keys);
+    traced = priority::trace({scene, accel, media}, film, tracing);
+    desk.serve(write);  // who asked in the last moment
+  }
   line.clear();
   if (!traced.error.empty()) return fail(traced.error);
-  if (!traced.complete) return interrupted(start);
-  stats.rays = traced.statistics;
-  stats.trace = traced.statistics.seconds;
-  if (traced.statistics.first_image) {
-    stats.first_image = std::chrono::duration<double>(*traced.statistics.first_image - start).count();
-  }
+  if (stop && !traced.complete()) return interrupted(start);
+  take_over(traced, start, stats);
+  stats.scheme = steering.order().text();
 
-  if (audience.snapshots) {
-    audience.snapshots->finished(stats.trace, stats.rays.rays.total());
-    if (!audience.snapshots->error().empty()) return fail(audience.snapshots->error());
+  if (snapshots) {
+    snapshots->finished(stats.rays);
+    if (!snapshots->error().empty()) return fail(snapshots->error());
   }
   if (options.write_picture) {
-    if (const std::string problem = write_film(picture, film, scene.settings); !problem.empty()) return fail(problem);
+    if (problem = write(""); !problem.empty()) return fail(problem);
   }
-  stats.total = seconds_since(start);
+  stats.total = seconds_between(start, Clock::now());
   if (!options.stats_file.empty()) {
-    if (const std::string problem = write_text_file(options.stats_file, to_json(stats)); !problem.empty()) {
-      return fail(problem);
-    }
+    if (problem = write_text_file(options.stats_file, to_json(stats)); !problem.empty()) return fail(problem);
   }
   if (!options.quiet) say(summary(options, picture, stats));
   return 0;

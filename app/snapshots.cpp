@@ -22,10 +22,11 @@ void Snapshots::key_changed(const priority::Progress& progress) {
   take(fmt::format("key{:04}", progress.key), progress);
 }
 
-void Snapshots::finished(double seconds, std::uint64_t rays) {
+void Snapshots::finished(const priority::TraceStatistics& statistics) {
   priority::Progress progress;
-  progress.seconds = seconds;
-  progress.rays_traced = rays;
+  progress.seconds = statistics.seconds;
+  progress.traced = statistics.rays;
+  progress.remaining = statistics.remaining;
   take("finished", progress);
 }
 
@@ -46,8 +47,9 @@ void Snapshots::write_index() {
                     {"occasion", entry.occasion},
                     {"trace_s", progress.seconds},
                     {"key", progress.key < priority::kBuckets ? nlohmann::ordered_json(progress.key) : nullptr},
-                    {"rays_traced", progress.rays_traced},
-                    {"rays_waiting", progress.rays_waiting}});
+                    {"rays_traced", progress.traced.total()},
+                    {"rays_waiting", progress.rays_waiting},
+                    {"remaining", progress.remaining}});
   }
   error_ = write_text_file((std::filesystem::path(folder_) / "index.json").string(), list.dump(2) + "\n");
 }

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "priority/driver.h"
 #include "priority/observer.h"
 #include "render/film/film.h"
 #include "render/scene/scene.h"
@@ -10,17 +11,19 @@
 
 namespace firstlight::app {
 
-/// Writes intermediate pictures to a folder, with an index of when each was taken: the first image, one whenever the
-/// key of the rays that leave the queue has changed (a few a second at most), and the finished picture.
-class Snapshots final : public priority::Observer {
+/// Writes intermediate pictures to a folder, with an index of when each was taken: the first whole picture, the one in
+/// which every pixel has its first light, one whenever the key of the rays that leave the queue has changed (a few a
+/// second at most), and the finished picture.
+class Snapshots {
  public:
   /// The folder is made when it is missing.
   Snapshots(std::string folder, const render::Film& film, const render::Settings& settings);
 
-  void first_image(const priority::Progress& progress) override { take("first-image", progress); }
-  void key_changed(const priority::Progress& progress) override;
+  void preview(const priority::Progress& progress) { take("preview", progress); }
+  void first_image(const priority::Progress& progress) { take("first-image", progress); }
+  void key_changed(const priority::Progress& progress);
   /// The picture after tracing.
-  void finished(double seconds, std::uint64_t rays);
+  void finished(const priority::TraceStatistics& statistics);
 
   /// The first thing that went wrong; empty: nothing.
   const std::string& error() const { return error_; }

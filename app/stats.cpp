@@ -1,5 +1,7 @@
 #include "app/stats.h"
 
+#include "app/ending.h"
+
 #include <fmt/format.h>
 #include <unistd.h>
 #include <nlohmann/json.hpp>
@@ -20,6 +22,7 @@ std::string to_json(const Stats& stats) {
   json["height"] = stats.height;
   json["time"] = {{"parse_s", stats.parse},
                   {"build_s", stats.build},
+                  {"preview_s", stats.preview ? Json(*stats.preview) : Json()},
                   {"first_image_s", stats.first_image ? Json(*stats.first_image) : Json()},
                   {"trace_s", stats.trace},
                   {"total_s", stats.total}};
@@ -27,10 +30,18 @@ std::string to_json(const Stats& stats) {
                   {"reflection", rays.of(render::RayKind::reflection)},
                   {"transmission", rays.of(render::RayKind::transmission)},
                   {"shadow", rays.of(render::RayKind::shadow)}};
-  json["queue"] = {{"peak_rays", stats.rays.peak_rays},
+  json["end"] = {{"reason", end_name(stats.end)},
+                 {"remaining", stats.rays.remaining},
+                 {"remaining_is_bound", stats.remaining_is_bound}};
+  json["queue"] = {{"memory", stats.queue_memory},
+                   {"peak_rays", stats.rays.peak_rays},
                    {"peak_bytes", stats.rays.peak_bytes},
                    {"bytes_per_ray", stats.rays.bytes_per_ray},
-                   {"worst_case_rays", stats.rays.worst_case_rays}};
+                   {"worst_case_rays", stats.rays.worst_case_rays},
+                   {"inverted_rays", stats.rays.inverted_rays}};
+  json["rekeying"] = {{"count", stats.rays.rekeying.count},
+                      {"rays", stats.rays.rekeying.rays},
+                      {"longest_s", stats.rays.rekeying.longest_s}};
   // A path that is not UTF-8 must not cost the statistics.
   return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }

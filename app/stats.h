@@ -2,13 +2,14 @@
 
 #include "priority/driver.h"
 
+#include <cstddef>
 #include <optional>
 #include <string>
 
 namespace firstlight::app {
 
 /// What --stats writes.
-/// Units  Times in seconds; first_image and total from the start of the process.
+/// Units  Times in seconds; preview, first_image and total from the start of the process.
 struct Stats {
   std::string scene;
   std::string scheme;
@@ -17,9 +18,13 @@ struct Stats {
   int height = 0;
   double parse = 0.0;
   double build = 0.0;
+  std::optional<double> preview;
   std::optional<double> first_image;
   double trace = 0.0;
   double total = 0.0;
+  priority::End end = priority::End::complete;
+  bool remaining_is_bound = true;  ///< false: rays.remaining is an estimate
+  std::size_t queue_memory = 0;    ///< bytes that were allowed; 0: no limit
   priority::TraceStatistics rays;
 };
 

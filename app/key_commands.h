@@ -1,0 +1,29 @@
+#pragma once
+
+#include "app/desk.h"
+#include "priority/steering.h"
+
+#include <string>
+
+namespace firstlight::app {
+
+/// What the keys of a terminal do to a picture in progress.
+/// Threads  One.
+class KeyCommands {
+ public:
+  KeyCommands(priority::Steering& steering, Desk& desk) : steering_(steering), desk_(desk) {}
+
+  /// Returns what to tell the user; empty: nothing, as for a key that means nothing.
+  std::string press(char key);
+
+ private:
+  std::string set_scheme(std::size_t row);
+
+  priority::Steering& steering_;
+  Desk& desk_;
+};
+
+/// The keys and what they do, a line each.
+std::string keys_help();
+
+}  // namespace firstlight::app

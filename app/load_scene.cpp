@@ -1,0 +1,30 @@
+#include "app/load_scene.h"
+
+#include <fmt/format.h>
+
+#include <cstdio>
+
+namespace firstlight::app {
+
+render::LoadResult load_scene(const Options& options, const render::FrontEnd& front_end, ProgressLine& line) {
+  render::LoadOptions load;
+  load.width = options.width;
+  load.height = options.height;
+  load.library_paths = options.library_paths;
+  load.declares = options.declares;
+  load.clock = options.clock;
+  std::size_t shown = 0;
+  const auto show = [&](const render::Diagnostic& diagnostic) {
+    ++shown;
+    if (options.quiet && diagnostic.severity != render::Diagnostic::Severity::error) return;
+    line.clear();
+    fmt::print(stderr, "{}\n", render::format(diagnostic));
+  };
+  load.report = show;
+  render::LoadResult result = front_end.load(options.scene, load);
+  // A front end of another making may not report as it reads.
+  for (std::size_t i = shown; i < result.diagnostics.size(); ++i) show(result.diagnostics[i]);
+  return result;
+}
+
+}  // namespace firstlight::app

@@ -1,0 +1,39 @@
+#pragma once
+
+#include "app/options.h"
+
+#include <CLI/CLI.hpp>
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace firstlight::app {
+
+/// Our own options, in their three forms: "--queue-memory 16M" on a command line, and "Queue_Memory=16M" there or in an
+/// .ini file. The last word on an option counts, but boosts add up.
+class LongOptions {
+ public:
+  explicit LongOptions(CommandLine& out);
+
+  bool knows(const std::string& name) const { return find(name) != nullptr; }
+  bool takes_value(const std::string& name) const;
+  /// "--name", or "--name=value".
+  void read_word(const std::string& word);
+  /// What --help says of them.
+  std::string help() const;
+  /// "--scheme", ...
+  std::vector<std::string> names() const;
+
+ private:
+  const CLI::Option* find(const std::string& name) const { return app_.get_option_no_throw(name); }
+
+  CommandLine& out_;
+  CLI::App app_{"Renders a POV-Ray scene, the rays that matter most first.", "firstlight"};
+};
+
+/// "--queue-memory" for "Queue_Memory", and the other way round "queue_memory".
+std::string option_of_setting(std::string_view setting);
+std::string setting_of_option(std::string_view option);
+
+}  // namespace firstlight::app
