@@ -73,6 +73,9 @@ int study_command(std::span<const std::string> arguments, const std::atomic<bool
   for (const std::string& error : line.errors) fmt::print(stderr, "firstlight: error: {}\n", error);
   if (!line.errors.empty()) return kExitFailure;
   const Options& options = line.options.scene;
+  for (const std::string& warning : line.warnings) {
+    if (!options.quiet) fmt::print(stderr, "firstlight: warning: {}\n", warning);
+  }
 
   // Declared before everything the scene is kept in: the module has to live longer than its scene.
   std::unique_ptr<FrontEndModule> module;

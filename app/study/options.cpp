@@ -89,6 +89,7 @@ StudyCommandLine parse_study_command_line(std::span<const std::string> arguments
     return line;
   }
   line.options.scene = std::move(picture.options);
+  line.warnings = std::move(picture.warnings);
   line.errors.insert(line.errors.end(), picture.errors.begin(), picture.errors.end());
   if (!line.errors.empty()) return line;
   refuse_what_does_not_fit(line);

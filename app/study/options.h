@@ -21,6 +21,7 @@ struct StudyCommandLine {
 
   Wish wish = Wish::study;
   StudyOptions options;
+  std::vector<std::string> warnings;
   std::vector<std::string> errors;  ///< when not empty, nothing else counts
 };
 
