@@ -72,5 +72,39 @@ TEST(Film, EnormousLightIsCutNotWrapped) {
   EXPECT_EQ(film.color(0, 0), Rgb(16777216.0f, -16777216.0f, 1.0f));
 }
 
+TEST(Film, WithAntiAliasingAPixelIsCompleteOnlyWhenSaidSo) {
+  Film film(2, 1);
+  const std::int64_t most = FixedRgb::from(Rgb(3.0f)).r;
+  film.expect(most, 0);
+  film.begin_refinement(8);
+  film.add(std::vector<Contribution>{{0, FixedRgb::from(Rgb(1.0f)), -most}, {1, FixedRgb::from(Rgb(0.5f)), -most}},
+           true);
+  EXPECT_EQ(film.outstanding(0, 0), 2.0);  // between 0 and 3
+  EXPECT_EQ(film.outstanding(1, 0), 2.5);
+  film.settle(0);
+  film.refine(1, Rgb(0.75f), 0.25f);
+  EXPECT_EQ(film.outstanding(0, 0), 0.0);
+  EXPECT_EQ(film.outstanding(1, 0), 0.75);
+  EXPECT_EQ(film.color(0, 0), Rgb(1.0f));
+  EXPECT_EQ(film.color(1, 0), Rgb(0.75f));
+  EXPECT_EQ(film.sample_color(1), Rgb(0.5f));
+}
+
+TEST(Film, SamplesBeyondThePixelsBeginAnew) {
+  Film film(2, 1);
+  film.begin_refinement(2);
+  film.begin_samples(std::vector<std::uint32_t>{1, 0});
+  film.add(std::vector<Contribution>{{2, FixedRgb::from(Rgb(1.0f))}, {3, FixedRgb::from(Rgb(2.0f))}}, true);
+  film.mark_lit(3);
+  EXPECT_EQ(film.sample_color(3), Rgb(2.0f));
+  EXPECT_EQ(film.pixel_of(2), 1u);
+  EXPECT_EQ(film.pixel_of(3), 0u);
+  EXPECT_EQ(film.pixel_of(1), 1u);
+  film.begin_samples(std::vector<std::uint32_t>{1, 1});
+  EXPECT_EQ(film.sample_color(2), Rgb(0.0f));
+  EXPECT_EQ(film.pixel_of(3), 1u);
+  EXPECT_EQ(film.snapshot(), (std::vector<Rgb>(2, Rgb(0.0f))));
+}
+
 }  // namespace
 }  // namespace firstlight::render
