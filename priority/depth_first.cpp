@@ -25,21 +25,24 @@ void DepthFirst::run(std::span<const render::RayTask> roots) {
   }
 }
 
-void trace_recursively(Frame& frame, render::Stepper& stepper) {
+void trace_recursively(Frame& frame, render::Stepper& stepper, RayQueue& queue) {
   DepthFirst depth_first(frame, stepper);
-  render::PrimaryBatch primaries;
-  std::uint64_t reported = 0;
-  while (const auto tile = frame.next_tile()) {
-    frame.tiles().fill(*tile, primaries);
-    for (std::size_t i = 0; i < primaries.tasks.size(); ++i) {
-      if (frame.stopped()) return;
-      stepper.step_primary(std::span(primaries.tasks).subspan(i, 1), std::span(primaries.rays).subspan(i, 1));
+  PrimaryOrder::Batch batch;
+  render::RayCounts reported;
+  while (!queue.closed()) {
+    if (!frame.primaries().next(batch)) {
+      queue.wait_and_pop([&frame] { return frame.primaries().refill(); });
+      continue;
+    }
+    for (std::size_t i = 0; i < batch.rays.tasks.size(); ++i) {
+      if (frame.wants_rest()) frame.rest();
+      if (frame.stopped()) return frame.leave_unfinished();
+      stepper.step_primary(std::span(batch.rays.tasks).subspan(i, 1), std::span(batch.rays.rays).subspan(i, 1));
       frame.add(stepper.light());
-      if (i + 1 == primaries.tasks.size()) frame.tile_is_lit();
       depth_first.run(stepper.spawned());
     }
-    frame.traced(stepper.counts().total() - reported);
-    reported = stepper.counts().total();
+    frame.lit(batch);
+    frame.traced(stepper.counts(), reported);
   }
 }
 

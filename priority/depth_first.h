@@ -1,6 +1,7 @@
 #pragma once
 
 #include "priority/frame.h"
+#include "priority/ray_queue.h"
 #include "render/trace/step.h"
 
 #include <span>
@@ -26,7 +27,8 @@ class DepthFirst {
   std::vector<render::RayTask> stack_;
 };
 
-/// The traditional order, the baseline of all comparisons: pixel by pixel, each with its whole tree, depth first.
-void trace_recursively(Frame& frame, render::Stepper& stepper);
+/// The traditional order, the baseline of all comparisons: pixel by pixel, each with its whole tree, depth first. The
+/// workers only meet at the `queue`, when there are no more pixels.
+void trace_recursively(Frame& frame, render::Stepper& stepper, RayQueue& queue);
 
 }  // namespace firstlight::priority

@@ -4,6 +4,7 @@
 #include "priority/depth_first.h"
 #include "priority/frame.h"
 #include "priority/ray_queue.h"
+#include "priority/steering.h"
 #include "priority/worker.h"
 
 #include <algorithm>
@@ -17,79 +18,81 @@
 namespace firstlight::priority {
 namespace {
 
-/// What the workers of a queued scheme share.
-struct Shared {
-  explicit Shared(int threads) : queue(pool, threads) {}
-
-  BlockPool pool;
-  RayQueue queue;
-};
-
 std::string reason_of(const std::exception& exception) {
   return dynamic_cast<const std::bad_alloc*>(&exception) != nullptr ? "not enough memory" : exception.what();
 }
 
 // The whole life of a worker thread. No exception leaves it.
-void work(Frame& frame, Shared* shared, const TraceOptions& options, render::RayCounts& counts) {
+void work(Frame& frame, Shared& shared, const TraceOptions& options, std::size_t number, render::RayCounts& counts) {
   try {
     render::Stepper stepper(frame.context());
-    if (shared == nullptr) {
-      trace_recursively(frame, stepper);
+    if (options.scheme == nullptr) {
+      trace_recursively(frame, stepper, shared.queue);
     } else {
-      const auto worker =
-          std::make_unique<Worker>(frame, stepper, shared->pool, shared->queue, *options.scheme, options.queue_budget);
+      const auto worker = std::make_unique<Worker>(frame, stepper, shared, options, number);
       worker->run();
     }
     counts = stepper.counts();
   } catch (const std::exception& exception) {
     frame.fail(reason_of(exception));
   }
-  if (shared != nullptr && frame.stopped()) shared->queue.close();
+  if (frame.stopped()) shared.queue.close();
   frame.leave();
+}
+
+TraceStatistics statistics_of(const Frame& frame, const Shared& shared, const std::vector<render::RayCounts>& counts) {
+  TraceStatistics statistics;
+  for (const render::RayCounts& own : counts) statistics.rays += own;
+  statistics.peak_rays = shared.queue.peak_rays();
+  statistics.peak_bytes = shared.pool.peak_bytes();
+  if (statistics.peak_rays > 0) {
+    statistics.bytes_per_ray = static_cast<double>(statistics.peak_bytes) / static_cast<double>(statistics.peak_rays);
+  }
+  statistics.inverted_rays = shared.inverted_rays;
+  statistics.rekeying = shared.queue.rekeying();
+  statistics.seconds = frame.seconds();
+  statistics.remaining = frame.end() == End::complete ? 0.0 : frame.remaining();
+  statistics.preview = frame.preview();
+  statistics.first_image = frame.first_image();
+  return statistics;
 }
 
 }  // namespace
 
 TraceResult trace(const render::TraceContext& context, render::Film& film, const TraceOptions& options) {
-  const auto begin = std::chrono::steady_clock::now();
   TraceResult result;
   try {
-    Frame frame(context, film, options);
-    const auto shared = options.scheme != nullptr ? std::make_unique<Shared>(options.threads) : nullptr;
-    std::vector<render::RayCounts> counts(static_cast<std::size_t>(options.threads));
+    TraceOptions own = options;
+    std::shared_ptr<const Scheme> first;
+    if (options.steering != nullptr) {
+      first = options.steering->scheme();
+      own.scheme = first.get();
+    }
+    Frame frame(context, film, own);
+    const auto shared = std::make_unique<Shared>(own);
+    std::vector<render::RayCounts> counts(static_cast<std::size_t>(own.threads));
     {
       std::vector<std::jthread> threads;
       threads.reserve(counts.size());
       try {
-        for (render::RayCounts& own : counts) {
-          threads.emplace_back([&frame, &shared, &options, &own] { work(frame, shared.get(), options, own); });
+        for (std::size_t i = 0; i < counts.size(); ++i) {
+          threads.emplace_back([&, i] { work(frame, *shared, own, i, counts[i]); });
         }
-        frame.watch(options.observer, shared != nullptr ? &shared->queue : nullptr);
+        frame.watch(shared->queue, shared->pool);
       } catch (const std::exception& exception) {
         frame.fail(reason_of(exception));
-        if (shared != nullptr) shared->queue.close();
+        shared->queue.close();
       }
     }
-    TraceStatistics& statistics = result.statistics;
-    for (const render::RayCounts& own : counts) statistics.rays += own;
-    if (shared != nullptr) {
-      statistics.peak_rays = shared->queue.peak_rays();
-      statistics.peak_bytes = shared->pool.peak_bytes();
-      if (statistics.peak_rays > 0) {
-        statistics.bytes_per_ray =
-            static_cast<double>(statistics.peak_bytes) / static_cast<double>(statistics.peak_rays);
-      }
-    }
-    statistics.first_image = frame.first_image();
+    result.statistics = statistics_of(frame, *shared, counts);
+    result.end = frame.end();
     result.error = frame.error();
-    result.complete = !frame.stopped();
   } catch (const std::exception& exception) {
     result.error = reason_of(exception);
   }
   const std::uint64_t samples = static_cast<std::uint64_t>(film.width()) * static_cast<std::uint64_t>(film.height());
   result.statistics.worst_case_rays =
       worst_case_rays(samples, context.scene.lights.size(), context.scene.settings.max_trace_level);
-  result.statistics.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
   return result;
 }
 

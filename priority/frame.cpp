@@ -1,36 +1,95 @@
 #include "priority/frame.h"
 
+#include "priority/steering.h"
+
+#include <algorithm>
+#include <cmath>
 #include <utility>
 
 namespace firstlight::priority {
 namespace {
 
 constexpr std::chrono::milliseconds kProgressEvery{100};
+constexpr std::chrono::milliseconds kLookEvery{10};  // at aims, and at what the user asks for
 constexpr std::chrono::milliseconds kKeyChangeEvery{250};
+
+// Sums over all pixels are kept in coarser steps than a sample's, so that they stay within 64 bits.
+constexpr int kCoarserBits = 16;
+constexpr double kCoarseStep = 0x1p-20;
+
+/// Rounded up, so that a bound stays a bound.
+std::int64_t in_coarse_steps(std::int64_t steps) { return (steps + (1 << kCoarserBits) - 1) >> kCoarserBits; }
+
+render::RayTask primary_task() {
+  render::RayTask task;
+  task.radiance.set_weight(render::Rgb(1.0f));
+  return task;
+}
 
 }  // namespace
 
 Frame::Frame(const render::TraceContext& context, render::Film& film, const TraceOptions& options)
     : context_(context),
       film_(film),
-      tiles_(context.scene, context.media, film.width(), film.height()),
+      options_(options),
+      bound_(context.scene),
+      primaries_(context, film,
+                 options.scheme == nullptr ? render::PrimaryTiles::Order::square_by_square
+                                           : render::PrimaryTiles::Order::coarse_to_fine,
+                 options.antialias),
       alone_(options.threads == 1),
-      stop_(options.stop),
-      workers_(options.threads) {}
-
-std::optional<std::uint32_t> Frame::next_tile() {
-  // The look before keeps the counter from running away when many ask at the end.
-  if (next_tile_.load(std::memory_order_relaxed) >= tiles_.count()) return std::nullopt;
-  const std::uint32_t tile = next_tile_.fetch_add(1, std::memory_order_relaxed);
-  return tile < tiles_.count() ? std::optional(tile) : std::nullopt;
+      next_checkpoint_(options.checkpoint_rays),
+      workers_(options.threads) {
+  const std::int64_t most = bound_.at_stake(primary_task());
+  film.expect(most);
+  remaining_ = in_coarse_steps(most) * film.width() * film.height();
 }
 
-void Frame::tile_is_lit() {
+bool Frame::asked_to_stop() const {
+  return (options_.stop != nullptr && options_.stop->load(std::memory_order_relaxed)) ||
+         (options_.steering != nullptr && options_.steering->stopped());
+}
+
+bool Frame::paused() const { return options_.steering != nullptr && options_.steering->paused(); }
+
+void Frame::lit(const PrimaryOrder::Batch& batch) {
+  if (!batch.is_tile) return;
+  for (const render::RayTask& task : batch.rays.tasks) film_.mark_lit(task.sample);
+  const render::PrimaryTiles& tiles = primaries_.tiles();
   // Release and acquire: whoever sees the last tile sees the film with all primary light.
-  if (tiles_lit_.fetch_add(1, std::memory_order_acq_rel) + 1 < tiles_.count()) return;
+  const bool all_coarse =
+      batch.is_coarse && coarse_tiles_lit_.fetch_add(1, std::memory_order_acq_rel) + 1 == tiles.coarse_count();
+  const bool all = tiles_lit_.fetch_add(1, std::memory_order_acq_rel) + 1 == tiles.count();
+  if (!all && !all_coarse) return;
   const std::lock_guard lock(mutex_);
-  first_image_ = Clock::now();
-  first_image_is_news_ = true;
+  if (all_coarse) {
+    preview_ = Clock::now();
+    news_.preview = true;
+  }
+  if (all) {
+    first_image_ = Clock::now();
+    news_.first_image = true;
+  }
+  event_.notify_all();
+}
+
+void Frame::add(std::span<const render::Contribution> light) {
+  film_.add(light, alone_);
+  std::int64_t change = 0;
+  for (const render::Contribution& contribution : light) change += contribution.outstanding;
+  remaining_.fetch_add(in_coarse_steps(change), std::memory_order_relaxed);
+}
+
+void Frame::traced(const render::RayCounts& counts, render::RayCounts& reported) {
+  std::uint64_t total = 0;
+  for (std::size_t kind = 0; kind < traced_.size(); ++kind) {
+    const std::uint64_t more = counts.by_kind[kind] - reported.by_kind[kind];
+    total += traced_[kind].fetch_add(more, std::memory_order_relaxed) + more;
+  }
+  reported = counts;
+  if (options_.checkpoint_rays == 0 || total < next_checkpoint_.load(std::memory_order_relaxed)) return;
+  if (checkpoint_due_.exchange(true)) return;
+  const std::lock_guard lock(mutex_);
   event_.notify_all();
 }
 
@@ -39,63 +98,144 @@ void Frame::popped(Key key) {
   key_.store(key, std::memory_order_relaxed);
   if (!wants_key_change_.load(std::memory_order_relaxed) || !wants_key_change_.exchange(false)) return;
   const std::lock_guard lock(mutex_);
-  key_changed_ = true;
+  news_.key_changed = true;
   event_.notify_all();
 }
 
 void Frame::fail(const std::string& why) {
   const std::lock_guard lock(mutex_);
   if (error_.empty()) error_ = why;
-  failed_.store(true, std::memory_order_relaxed);
+  end_ = End::failed;
+  stopped_.store(true, std::memory_order_relaxed);
+  go_on_.notify_all();
 }
 
 void Frame::leave() {
   const std::lock_guard lock(mutex_);
-  if (--workers_ == 0) event_.notify_all();
+  --workers_;
+  event_.notify_all();
 }
 
-void Frame::watch(Observer* observer, const RayQueue* queue) {
+void Frame::rest() {
+  if (paused()) options_.steering->wait_while_paused();
+  std::unique_lock lock(mutex_);
+  if (!checkpoint_due_) return;
+  ++resting_;
+  event_.notify_all();
+  go_on_.wait(lock, [this] { return !checkpoint_due_ || stopped_; });
+  --resting_;
+}
+
+bool Frame::all_rest(const RayQueue& queue) const { return resting_ + queue.idle() >= workers_; }
+
+void Frame::hold_checkpoint(const Progress& progress, std::unique_lock<std::mutex>& lock) {
+  const Clock::time_point begin = Clock::now();
+  lock.unlock();
+  options_.observer->checkpoint(progress);
+  lock.lock();
+  rested_ += Clock::now() - begin;
+  const std::uint64_t every = options_.checkpoint_rays;
+  next_checkpoint_ = (progress.traced.total() / every + 1) * every;
+  checkpoint_due_ = false;
+  go_on_.notify_all();
+}
+
+void Frame::end_with(End end) {
+  const std::lock_guard lock(mutex_);
+  if (end_ == End::complete) end_ = end;
+  stopped_.store(true, std::memory_order_relaxed);
+  go_on_.notify_all();
+}
+
+void Frame::stop_where_aims_are_reached() {
+  if (options_.stop_at_error > 0.0 && remaining() <= options_.stop_at_error) end_with(End::error_reached);
+  if (options_.stop_after > 0.0 && seconds() >= options_.stop_after) end_with(End::time_over);
+  if (!asked_to_stop()) return;
+  end_with(End::stopped);
+  if (options_.steering != nullptr) options_.steering->stop();  // wakes those who pause
+}
+
+std::chrono::duration<double> Frame::look_after() const {
+  const std::chrono::duration<double> usual = kLookEvery;
+  if (options_.stop_after <= 0.0) return usual;
+  const std::chrono::duration<double> past = Clock::now() - begin_ - rested_;
+  return std::clamp(std::chrono::duration<double>(options_.stop_after) - past, std::chrono::duration<double>(0.0), usual);
+}
+
+void Frame::watch(const RayQueue& queue, const BlockPool& pool) {
+  static Observer nobody;
+  Observer& observer = options_.observer != nullptr ? *options_.observer : nobody;
   Clock::time_point next_progress = begin_ + kProgressEvery;
   Clock::time_point next_key_change = begin_;
   std::unique_lock lock(mutex_);
-  while (workers_ > 0 || first_image_is_news_) {
-    if (observer == nullptr) {
-      event_.wait(lock, [this] { return workers_ == 0; });
-      return;
+  while (workers_ > 0 || news_.any()) {
+    if (!news_.key_changed && Clock::now() >= next_key_change) wants_key_change_.store(true, std::memory_order_relaxed);
+    const Clock::time_point before = Clock::now();
+    event_.wait_for(lock, kLookEvery,
+                    [&] { return workers_ == 0 || news_.any() || (checkpoint_due_ && all_rest(queue)); });
+    if (paused()) rested_ += Clock::now() - before;
+    if (checkpoint_due_ && workers_ > 0 && all_rest(queue)) {
+      const Progress now = progress(queue, pool);
+      hold_checkpoint(now, lock);
     }
-    if (!key_changed_ && Clock::now() >= next_key_change) wants_key_change_.store(true, std::memory_order_relaxed);
-    event_.wait_until(lock, next_progress, [this] { return workers_ == 0 || first_image_is_news_ || key_changed_; });
-    const bool first_image = std::exchange(first_image_is_news_, false);
-    const bool key_change = std::exchange(key_changed_, false);
+    const News news = std::exchange(news_, {});
     lock.unlock();
-    const Progress now = progress(queue);
-    if (first_image) observer->first_image(now);
-    if (key_change) {
-      observer->key_changed(now);
+    stop_where_aims_are_reached();
+    const Progress now = progress(queue, pool);
+    if (news.preview) observer.preview(now);
+    if (news.first_image) observer.first_image(now);
+    if (news.key_changed) {
+      observer.key_changed(now);
       next_key_change = Clock::now() + kKeyChangeEvery;
     }
+    if (options_.steering != nullptr && options_.steering->take_save_request()) observer.save(now);
     if (Clock::now() >= next_progress) {
-      observer->progress(now);
+      observer.progress(now);
       next_progress = Clock::now() + kProgressEvery;
     }
     lock.lock();
   }
 }
 
-Progress Frame::progress(const RayQueue* queue) const {
+Progress Frame::progress(const RayQueue& queue, const BlockPool& pool) const {
   Progress progress;
   progress.tiles_done = tiles_lit_.load(std::memory_order_relaxed);
-  progress.tiles = tiles_.count();
-  progress.rays_traced = rays_traced_.load(std::memory_order_relaxed);
-  progress.rays_waiting = queue != nullptr ? queue->waiting() : 0;
+  progress.tiles = primaries_.tiles().count();
+  for (std::size_t kind = 0; kind < traced_.size(); ++kind) {
+    progress.traced.by_kind[kind] = traced_[kind].load(std::memory_order_relaxed);
+  }
+  progress.rays_waiting = queue.waiting();
+  progress.queue_bytes = pool.bytes();
   progress.key = key_.load(std::memory_order_relaxed);
-  progress.seconds = std::chrono::duration<double>(Clock::now() - begin_).count();
+  progress.seconds = std::chrono::duration<double>(Clock::now() - begin_ - rested_).count();
+  progress.remaining = remaining();
+  progress.remaining_is_bound = bound_.known();
   return progress;
+}
+
+double Frame::remaining() const {
+  const double pixels = static_cast<double>(film_.width()) * static_cast<double>(film_.height());
+  return static_cast<double>(remaining_.load(std::memory_order_relaxed)) * kCoarseStep / pixels;
+}
+
+double Frame::seconds() const {
+  const std::lock_guard lock(mutex_);
+  return std::chrono::duration<double>(Clock::now() - begin_ - rested_).count();
+}
+
+End Frame::end() const {
+  const std::lock_guard lock(mutex_);
+  return end_;
 }
 
 std::string Frame::error() const {
   const std::lock_guard lock(mutex_);
   return error_;
+}
+
+std::optional<std::chrono::steady_clock::time_point> Frame::preview() const {
+  const std::lock_guard lock(mutex_);
+  return preview_;
 }
 
 std::optional<std::chrono::steady_clock::time_point> Frame::first_image() const {

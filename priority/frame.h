@@ -1,11 +1,14 @@
 #pragma once
 
 #include "priority/driver.h"
+#include "priority/primary_order.h"
 #include "priority/ray_queue.h"
 #include "render/film/film.h"
 #include "render/trace/primary.h"
+#include "render/trace/radiance_bound.h"
 #include "render/trace/step.h"
 
+#include <array>
 #include <atomic>
 #include <chrono>
 #include <condition_variable>
@@ -17,59 +20,92 @@
 
 namespace firstlight::priority {
 
-/// What the workers of one picture share: the tiles still to begin, the film, and how far it all is.
-/// Threads  All members may be called from any thread.
+/// What the workers of one picture share: the primary rays still to begin, the film, how far it all is, and when to
+/// rest or to leave. Threads  All members may be called from any thread.
 class Frame {
  public:
   Frame(const render::TraceContext& context, render::Film& film, const TraceOptions& options);
 
   const render::TraceContext& context() const { return context_; }
-  const render::PrimaryTiles& tiles() const { return tiles_; }
+  PrimaryOrder& primaries() { return primaries_; }
 
-  /// The number of a tile that nobody else gets, until there are no more.
-  std::optional<std::uint32_t> next_tile();
-  /// To be called once a tile, when the light of its primary rays is on the film.
-  void tile_is_lit();
-  void add(std::span<const render::Contribution> light) { film_.add(light, alone_); }
-  void traced(std::uint64_t rays) { rays_traced_.fetch_add(rays, std::memory_order_relaxed); }
+  /// To be called when the light of a batch of primary rays is on the film.
+  void lit(const PrimaryOrder::Batch& batch);
+  void add(std::span<const render::Contribution> light);
+  /// A worker has traced `counts` so far, of which it has `reported` some before; they become equal.
+  void traced(const render::RayCounts& counts, render::RayCounts& reported);
   void popped(Key key);
 
-  /// Whether the workers are to leave: somebody asked for it, or one of them failed.
-  bool stopped() const {
-    return failed_.load(std::memory_order_relaxed) || (stop_ != nullptr && stop_->load(std::memory_order_relaxed));
-  }
+  /// Whether the workers are to leave: somebody asked for it, an aim is reached, or one of them failed.
+  bool stopped() const { return stopped_.load(std::memory_order_relaxed) || asked_to_stop(); }
   void fail(const std::string& why);
+  /// To be called by a worker that leaves because of stopped(), with work left.
+  void leave_unfinished() { end_with(End::stopped); }
   /// To be called by each worker at its end.
   void leave();
 
-  /// Reports to the observer until all workers have left. Either may be null.
-  void watch(Observer* observer, const RayQueue* queue);
+  /// Whether the workers are to rest: the user wants a pause, or a checkpoint is due.
+  bool wants_rest() const { return checkpoint_due_.load(std::memory_order_relaxed) || paused(); }
+  /// Returns when there is no more reason to.
+  void rest();
 
+  /// Reports to the observer, and stops the workers when an aim is reached, until all of them have left.
+  void watch(const RayQueue& queue, const BlockPool& pool);
+
+  End end() const;
   std::string error() const;
+  std::optional<std::chrono::steady_clock::time_point> preview() const;
   std::optional<std::chrono::steady_clock::time_point> first_image() const;
+  /// As Progress::remaining.
+  double remaining() const;
+  /// Of tracing, without pauses and checkpoints.
+  double seconds() const;
 
  private:
   using Clock = std::chrono::steady_clock;
-  Progress progress(const RayQueue* queue) const;
+  struct News {
+    bool preview = false;
+    bool first_image = false;
+    bool key_changed = false;
+    bool any() const { return preview || first_image || key_changed; }
+  };
+
+  bool asked_to_stop() const;
+  bool paused() const;
+  Progress progress(const RayQueue& queue, const BlockPool& pool) const;
+  bool all_rest(const RayQueue& queue) const;
+  void hold_checkpoint(const Progress& progress, std::unique_lock<std::mutex>& lock);
+  /// Until when to sleep before the next look at the aims. Pre: the lock is held.
+  std::chrono::duration<double> look_after() const;
+  void stop_where_aims_are_reached();
+  void end_with(End end);
 
   const render::TraceContext context_;
   render::Film& film_;
-  const render::PrimaryTiles tiles_;
+  const TraceOptions options_;
+  const render::RadianceBound bound_;
+  PrimaryOrder primaries_;
   const bool alone_;
-  const std::atomic<bool>* const stop_;
   const Clock::time_point begin_ = Clock::now();
-  std::atomic<std::uint32_t> next_tile_ = 0;
   std::atomic<std::uint32_t> tiles_lit_ = 0;
-  std::atomic<std::uint64_t> rays_traced_ = 0;
-  std::atomic<Key> key_ = kBuckets;  // none yet
-  std::atomic<bool> failed_ = false;
+  std::atomic<std::uint32_t> coarse_tiles_lit_ = 0;
+  std::array<std::atomic<std::uint64_t>, 4> traced_{};  // by kind
+  std::atomic<std::int64_t> remaining_ = 0;             // over all pixels, in steps of 2^-20
+  std::atomic<Key> key_ = kBuckets;                     // none yet
+  std::atomic<bool> stopped_ = false;
   std::atomic<bool> wants_key_change_ = false;
+  std::atomic<bool> checkpoint_due_ = false;
+  std::atomic<std::uint64_t> next_checkpoint_;
   mutable std::mutex mutex_;  // of all below
   std::condition_variable event_;
+  std::condition_variable go_on_;
   int workers_;
-  bool key_changed_ = false;
-  bool first_image_is_news_ = false;
+  int resting_ = 0;
+  News news_;
+  Clock::duration rested_{};
+  std::optional<Clock::time_point> preview_;
   std::optional<Clock::time_point> first_image_;
+  End end_ = End::complete;
   std::string error_;
 };
 

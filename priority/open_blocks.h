@@ -5,6 +5,7 @@
 #include "priority/slot.h"
 
 #include <array>
+#include <cstdint>
 #include <span>
 #include <vector>
 
@@ -18,20 +19,28 @@ class OpenBlocks {
  public:
   OpenBlocks(BlockPool& pool, RayQueue& queue) : pool_(pool), queue_(queue), open_{} {}
 
-  /// Copies each task to the block of its key. Pre: equal sizes, keys below kBuckets.
-  void scatter(std::span<const render::RayTask> tasks, std::span<const Key> keys);
+  /// Copies each task to the block of its key. Tasks for which the pool has no block left are appended to `overflow`.
+  /// Pre: equal sizes, keys below kBuckets.
+  void scatter(std::span<const render::RayTask> tasks, std::span<const Key> keys,
+               std::vector<render::RayTask>& overflow);
   /// The highest slot with an open block, kNoSlot when there is none.
   int top() const { return used_.top(); }
   /// Removes and returns the open block of `slot`. Pre: there is one.
   Block* take(Slot slot);
   /// Gives all open blocks to the queue.
   void flush();
+  /// The version of the order that the next tasks have their keys of. Gives all open blocks to the queue.
+  void set_version(std::uint64_t version) {
+    flush();
+    version_ = version;
+  }
 
  private:
   BlockPool& pool_;
   RayQueue& queue_;
   std::array<Block*, kSlots> open_;
   SlotSet used_;
+  std::uint64_t version_ = 0;
 };
 
 }  // namespace firstlight::priority

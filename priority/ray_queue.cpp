@@ -1,60 +1,67 @@
 #include "priority/ray_queue.h"
 
 #include <algorithm>
+#include <utility>
 
 namespace firstlight::priority {
 
 RayQueue::RayQueue(BlockPool& pool, int workers) : pool_(pool), workers_(workers), lists_{} {}
 
-void RayQueue::add_full(List& list, Block* block) {
-  block->next = list.full;
-  list.full = block;
+Block* RayQueue::add_locked(List& list, Block* block) {
+  const std::uint32_t size = pool_.block_size();
+  const auto add_full = [&list](Block* full) {
+    full->next = list.full;
+    list.full = full;
+  };
+  if (block->count == size) {
+    add_full(block);
+    return nullptr;
+  }
+  if (list.partial == nullptr) {
+    list.partial = block;
+    return nullptr;
+  }
+  // Two half-empty blocks become one, so that flushing early costs no memory.
+  Block* const into = list.partial;
+  const std::uint32_t moved = std::min(size - into->count, block->count);
+  std::copy_n(block->tasks + block->count - moved, moved, into->tasks + into->count);
+  into->count += moved;
+  block->count -= moved;
+  if (into->count == size) {
+    add_full(into);
+    list.partial = nullptr;
+  }
+  if (block->count == 0) return block;
+  list.partial = block;
+  return nullptr;
 }
 
-void RayQueue::push(Slot slot, Block* block) {
+void RayQueue::push(Slot slot, Block* block, std::uint64_t version) {
   Block* emptied = nullptr;
   {
     const std::lock_guard lock(mutex_);
-    List& list = lists_[slot];
-    if (block->full()) {
-      add_full(list, block);
-    } else if (list.partial == nullptr) {
-      list.partial = block;
+    if (version < version_) {
+      make_stale_locked(block);
     } else {
-      // Two half-empty blocks become one, so that flushing early costs no memory.
-      Block* const into = list.partial;
-      const std::uint32_t moved = std::min(kBlockSize - into->count, block->count);
-      std::copy_n(block->tasks + block->count - moved, moved, into->tasks + into->count);
-      into->count += moved;
-      block->count -= moved;
-      if (into->full()) {
-        add_full(list, into);
-        list.partial = nullptr;
-      }
-      if (block->count > 0) {
-        list.partial = block;
-      } else {
-        emptied = block;
-      }
+      emptied = add_locked(lists_[slot], block);
+      used_.insert(slot);
+      top_.store(used_.top(), std::memory_order_relaxed);
     }
-    used_.insert(slot);
-    top_.store(used_.top(), std::memory_order_relaxed);
-    if (idle_.load(std::memory_order_relaxed) > 0) changed_.notify_one();
+    if (idle() > 0) changed_.notify_one();
   }
   if (emptied != nullptr) pool_.release(emptied);
 }
 
 RayQueue::Popped RayQueue::pop_locked(int at_least) {
   const int top = used_.top();
-  if (top == kNoSlot || top < at_least || closed_) return {};
+  if (top == kNoSlot || top < at_least || closed()) return {};
   List& list = lists_[static_cast<Slot>(top)];
   Block* block = list.full;
   if (block != nullptr) {
     list.full = block->next;
     block->next = nullptr;
   } else {
-    block = list.partial;
-    list.partial = nullptr;
+    block = std::exchange(list.partial, nullptr);
   }
   if (list.full == nullptr && list.partial == nullptr) {
     used_.erase(static_cast<Slot>(top));
@@ -68,22 +75,81 @@ RayQueue::Popped RayQueue::pop(int at_least) {
   return pop_locked(at_least);
 }
 
-RayQueue::Popped RayQueue::wait_and_pop() {
+RayQueue::Popped RayQueue::wait_and_pop(const std::function<bool()>& refill) {
   std::unique_lock lock(mutex_);
-  if (idle_.fetch_add(1, std::memory_order_relaxed) + 1 == workers_ && used_.top() == kNoSlot) {
-    // The last one to run dry: no worker holds an open block, so nothing can come any more.
-    closed_ = true;
+  const auto something = [this] { return used_.top() != kNoSlot || stale_ != nullptr; };
+  if (idle_.fetch_add(1, std::memory_order_relaxed) + 1 == workers_ && !something() && !closed()) {
+    // The last one to run dry: no worker holds an open block, so nothing can come any more, but by a refill.
+    if (refill()) {
+      ++refills_;
+    } else {
+      closed_.store(true, std::memory_order_relaxed);
+    }
     changed_.notify_all();
+  } else {
+    changed_.wait(lock, [&, seen = refills_] { return closed() || something() || refills_ != seen; });
   }
-  changed_.wait(lock, [this] { return closed_ || used_.top() != kNoSlot; });
   idle_.fetch_sub(1, std::memory_order_relaxed);
   return pop_locked(0);
 }
 
 void RayQueue::close() {
   const std::lock_guard lock(mutex_);
-  closed_ = true;
+  closed_.store(true, std::memory_order_relaxed);
   changed_.notify_all();
+}
+
+void RayQueue::make_stale_locked(Block* list) {
+  if (list == nullptr) return;
+  if (stale_ == nullptr && rekeying_now_ == 0) {
+    rekey_begin_ = Clock::now();
+    ++rekeying_.count;
+  }
+  while (list != nullptr) {
+    Block* const next = list->next;
+    list->next = stale_;
+    stale_ = list;
+    list = next;
+  }
+  has_stale_.store(true, std::memory_order_release);
+}
+
+void RayQueue::begin_rekey(std::uint64_t version) {
+  const std::lock_guard lock(mutex_);
+  if (version <= version_) return;
+  version_ = version;
+  for (int top = used_.top(); top != kNoSlot; top = used_.top()) {
+    const auto slot = static_cast<Slot>(top);
+    make_stale_locked(std::exchange(lists_[slot].full, nullptr));
+    make_stale_locked(std::exchange(lists_[slot].partial, nullptr));
+    used_.erase(slot);
+  }
+  top_.store(kNoSlot, std::memory_order_relaxed);
+  if (stale_ != nullptr) changed_.notify_all();
+}
+
+Block* RayQueue::pop_stale() {
+  const std::lock_guard lock(mutex_);
+  Block* const block = stale_;
+  if (block == nullptr) return nullptr;
+  stale_ = block->next;
+  block->next = nullptr;
+  ++rekeying_now_;
+  if (stale_ == nullptr) has_stale_.store(false, std::memory_order_release);
+  return block;
+}
+
+void RayQueue::rekeyed(std::uint32_t rays) {
+  const std::lock_guard lock(mutex_);
+  rekeying_.rays += rays;
+  if (--rekeying_now_ > 0 || stale_ != nullptr) return;
+  rekeying_.longest_s =
+      std::max(rekeying_.longest_s, std::chrono::duration<double>(Clock::now() - rekey_begin_).count());
+}
+
+RayQueue::Rekeying RayQueue::rekeying() const {
+  const std::lock_guard lock(mutex_);
+  return rekeying_;
 }
 
 void RayQueue::count(std::uint64_t spawned, std::uint64_t taken) {

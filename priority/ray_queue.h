@@ -5,8 +5,10 @@
 
 #include <array>
 #include <atomic>
+#include <chrono>
 #include <condition_variable>
 #include <cstdint>
+#include <functional>
 #include <mutex>
 
 namespace firstlight::priority {
@@ -15,6 +17,9 @@ namespace firstlight::priority {
 ///
 /// Key      integer in [0, kBuckets); the largest leaves first, equal keys are interchangeable.
 ///          [Yagel & Meeker 1997, section 4]
+/// Order    of a version: when the order changes, all that waits becomes stale, and the workers take it out, give it
+/// new
+///          keys and push it again before they trace on.
 /// Cost     push and pop O(1) a block, whatever waits.
 /// Memory   blocks come from `pool` and go back to it. At most one block of a slot is not full.
 /// Threads  push and pop from any worker; one lock a block, none a ray.
@@ -23,8 +28,8 @@ class RayQueue {
   /// `workers` threads will wait for work here.
   RayQueue(BlockPool& pool, int workers);
 
-  /// Takes `block`, filled by one worker with tasks of one `slot`.
-  void push(Slot slot, Block* block);
+  /// Takes `block`, filled by one worker with tasks of one `slot` of the order `version`.
+  void push(Slot slot, Block* block, std::uint64_t version);
 
   struct Popped {
     Block* block = nullptr;  ///< null: nothing waits
@@ -32,15 +37,35 @@ class RayQueue {
   };
   /// The fullest block of the highest slot, if that is `at_least` or more.
   Popped pop(int at_least = 0);
-  /// As pop(), but waits while other workers may still push. Null: all have run dry, or the queue was closed.
-  Popped wait_and_pop();
+  /// As pop(), but waits while other workers may still push. When all have run dry, the last of them calls `refill`,
+  /// while the others rest: true when there is something to do again. Null: look around for work of another kind, or
+  /// closed().
+  Popped wait_and_pop(const std::function<bool()>& refill);
   /// Wakes all who wait; nothing more comes out.
   void close();
+  bool closed() const { return closed_.load(std::memory_order_relaxed); }
+
+  /// Makes all that waits stale, unless the queue has seen the version already.
+  void begin_rekey(std::uint64_t version);
+  bool has_stale() const { return has_stale_.load(std::memory_order_acquire); }
+  /// A block to be given new keys; null when there is none. Each is followed by one rekeyed().
+  Block* pop_stale();
+  /// The rays of a stale block have been pushed again.
+  void rekeyed(std::uint32_t rays);
+
+  struct Rekeying {
+    std::uint64_t count = 0;  ///< how often the order changed with rays waiting
+    std::uint64_t rays = 0;   ///< given a new key
+    double longest_s = 0.0;   ///< until all of the waiting had theirs
+  };
+  Rekeying rekeying() const;
 
   /// Highest slot, kNoSlot when nothing waits here; may be out of date.
   int top() const { return top_.load(std::memory_order_relaxed); }
   /// Whether a worker waits for blocks and finds none.
-  bool starving() const { return idle_.load(std::memory_order_relaxed) > 0 && top() == kNoSlot; }
+  bool starving() const { return idle() > 0 && top() == kNoSlot; }
+  /// Workers that wait here.
+  int idle() const { return idle_.load(std::memory_order_relaxed); }
 
   // Rays waiting here and in the workers' open blocks are counted by the workers, once a batch.
   void count(std::uint64_t spawned, std::uint64_t taken);
@@ -48,21 +73,31 @@ class RayQueue {
   std::uint64_t peak_rays() const { return peak_rays_.load(std::memory_order_relaxed); }
 
  private:
+  using Clock = std::chrono::steady_clock;
   struct List {
     Block* full = nullptr;
     Block* partial = nullptr;  ///< neither full nor empty
   };
   Popped pop_locked(int at_least);
-  void add_full(List& list, Block* block);
+  /// Returns a block that is left over, to be released; or null.
+  Block* add_locked(List& list, Block* block);
+  void make_stale_locked(Block* list);
 
   BlockPool& pool_;
   const int workers_;
-  std::mutex mutex_;
+  mutable std::mutex mutex_;
   std::condition_variable changed_;
   std::array<List, kSlots> lists_;
   SlotSet used_;
-  bool closed_ = false;
-  std::atomic<int> top_ = kNoSlot;  // changed under the lock only, as is idle_
+  std::uint64_t version_ = 0;
+  Block* stale_ = nullptr;
+  int rekeying_now_ = 0;  // stale blocks taken out and not yet pushed again
+  Clock::time_point rekey_begin_;
+  Rekeying rekeying_;
+  std::uint64_t refills_ = 0;
+  std::atomic<bool> has_stale_ = false;
+  std::atomic<bool> closed_ = false;  // changed under the lock only, as are the next
+  std::atomic<int> top_ = kNoSlot;
   std::atomic<int> idle_ = 0;
   std::atomic<std::uint64_t> waiting_ = 0;
   std::atomic<std::uint64_t> peak_rays_ = 0;

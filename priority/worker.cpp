@@ -1,45 +1,97 @@
 #include "priority/worker.h"
 
+#include "priority/steering.h"
+
+#include <algorithm>
+
 namespace firstlight::priority {
 
-Worker::Worker(Frame& frame, render::Stepper& stepper, BlockPool& pool, RayQueue& queue, const Scheme& scheme,
-               std::size_t queue_budget)
+Worker::Worker(Frame& frame, render::Stepper& stepper, Shared& shared, const TraceOptions& options, std::size_t number)
     : frame_(frame),
       stepper_(stepper),
-      pool_(pool),
-      queue_(queue),
-      scheme_(scheme),
-      queue_budget_(queue_budget),
-      open_(pool, queue),
+      shared_(shared),
+      pool_(shared.pool),
+      queue_(shared.queue),
+      steering_(options.steering),
+      number_(number),
+      scheme_(options.scheme),
+      open_(pool_, queue_),
       depth_first_(frame, stepper) {}
 
 void Worker::run() {
+  if (steering_ == nullptr) frame_.primaries().sort(*scheme_, 1);
   while (!frame_.stopped()) {
-    // Primary rays have the highest priority in every scheme: they are what makes a picture.
-    if (const auto tile = frame_.next_tile()) {
-      trace_tile(*tile);
-      continue;
+    if (frame_.wants_rest()) frame_.rest();
+    follow_order();
+    if (queue_.has_stale()) {
+      rekey_block();
+    } else if (primaries_are_next()) {
+      trace_primaries();
+    } else if (const RayQueue::Popped next = next_block(); next.block != nullptr) {
+      if (frame_.wants_rest()) frame_.rest();
+      trace_block(next);
+      if (queue_.starving()) open_.flush();
+    } else if (queue_.closed()) {
+      return;
     }
-    const RayQueue::Popped next = next_block();
-    if (next.block == nullptr) return;
-    trace_block(next);
-    if (queue_.starving()) open_.flush();
   }
+  frame_.leave_unfinished();
 }
 
-void Worker::trace_tile(std::uint32_t tile) {
-  frame_.tiles().fill(tile, primaries_);
-  stepper_.step_primary(primaries_.tasks, primaries_.rays);
+void Worker::follow_order() {
+  if (steering_ == nullptr || version_ == steering_->version()) return;
+  version_ = steering_->version();
+  steered_ = steering_->scheme();
+  scheme_ = steered_.get();
+  open_.set_version(version_);
+  queue_.begin_rekey(version_);
+  frame_.primaries().sort(*scheme_, version_);
+}
+
+void Worker::rekey_block() {
+  Block* const block = queue_.pop_stale();
+  if (block == nullptr) return;
+  stale_.assign(block->tasks, block->tasks + block->count);
+  pool_.release(block);
+  queue_tasks(stale_);
+  queue_.rekeyed(static_cast<std::uint32_t>(stale_.size()));
+}
+
+bool Worker::primaries_are_next() {
+  const int primaries = frame_.primaries().top();
+  if (primaries == kNoSlot) return false;
+  const int waiting = std::max(open_.top(), queue_.top());
+  if (waiting == kNoSlot) return true;
+  if (pool_.budget() != 0) {
+    // Near the budget what waits is traced first, until there is room for a good number of new rays.
+    const std::size_t used = pool_.bytes();
+    if (used >= pool_.budget() / 8 * 7) shared_.is_short_of_memory.store(true, std::memory_order_relaxed);
+    if (used <= pool_.budget() / 2) shared_.is_short_of_memory.store(false, std::memory_order_relaxed);
+    if (shared_.is_short_of_memory.load(std::memory_order_relaxed)) return false;
+  }
+  return primaries >= waiting;
+}
+
+void Worker::trace_primaries() {
+  if (!frame_.primaries().next(primaries_)) return;
+  stepper_.step_primary(primaries_.rays.tasks, primaries_.rays.rays);
   frame_.add(stepper_.light());
-  frame_.tile_is_lit();
+  scheme_->learn(primaries_.rays.tasks, stepper_.light());
+  frame_.lit(primaries_);
   keep_spawned(0);
 }
 
 void Worker::trace_block(const RayQueue::Popped& popped) {
   frame_.popped(key_of(popped.slot));
+  const std::uint64_t taken = render::ray_count(popped.block->span());
+  if (std::ranges::any_of(shared_.tops, [&](const std::atomic<int>& top) {
+        return top.load(std::memory_order_relaxed) > static_cast<int>(popped.slot);
+      })) {
+    shared_.inverted_rays.fetch_add(taken, std::memory_order_relaxed);
+  }
   stepper_.step(popped.block->span());
   frame_.add(stepper_.light());
-  const std::uint64_t taken = render::ray_count(popped.block->span());
+  scheme_->learn(popped.block->span(), stepper_.light());
   pool_.release(popped.block);
   keep_spawned(taken);
 }
@@ -51,22 +103,25 @@ RayQueue::Popped Worker::next_block() {
     if (const RayQueue::Popped shared = queue_.pop(mine); shared.block != nullptr) return shared;
   }
   if (mine != kNoSlot) return {open_.take(static_cast<Slot>(mine)), static_cast<Slot>(mine)};
-  return queue_.wait_and_pop();
+  shared_.tops[number_].store(kNoSlot, std::memory_order_relaxed);
+  return queue_.wait_and_pop([this] { return frame_.primaries().top() != kNoSlot || frame_.primaries().refill(); });
 }
 
 void Worker::keep_spawned(std::uint64_t taken) {
-  const std::span<const render::RayTask> spawned = stepper_.spawned();
-  if (queue_budget_ != 0 && pool_.bytes() >= queue_budget_) {
-    queue_.count(0, taken);
-    depth_first_.run(spawned);
-  } else {
-    keys_.resize(spawned.size());
-    scheme_.keys(spawned, keys_);
-    queue_.count(render::ray_count(spawned), taken);
-    open_.scatter(spawned, keys_);
-  }
-  frame_.traced(stepper_.counts().total() - reported_);
-  reported_ = stepper_.counts().total();
+  queue_.count(render::ray_count(stepper_.spawned()), taken);
+  queue_tasks(stepper_.spawned());
+  frame_.traced(stepper_.counts(), reported_);
+}
+
+void Worker::queue_tasks(std::span<const render::RayTask> tasks) {
+  keys_.resize(tasks.size());
+  scheme_->keys(tasks, keys_);
+  overflow_.clear();
+  open_.scatter(tasks, keys_, overflow_);
+  shared_.tops[number_].store(open_.top(), std::memory_order_relaxed);
+  if (overflow_.empty()) return;
+  queue_.count(0, render::ray_count(overflow_));
+  depth_first_.run(overflow_);
 }
 
 }  // namespace firstlight::priority

@@ -7,41 +7,70 @@
 #include "priority/scheme.h"
 #include "render/trace/step.h"
 
+#include <atomic>
 #include <cstddef>
+#include <memory>
 #include <span>
 #include <vector>
 
 namespace firstlight::priority {
 
+/// What the workers of a queued order share.
+struct Shared {
+  Shared(const TraceOptions& options)
+      : pool(options.queue_memory, options.block_size),
+        queue(pool, options.threads),
+        tops(static_cast<std::size_t>(options.threads)) {
+    for (std::atomic<int>& top : tops) top = kNoSlot;
+  }
+
+  BlockPool pool;
+  RayQueue queue;
+  std::vector<std::atomic<int>> tops;  ///< the highest slot of each worker's open blocks
+  std::atomic<bool> is_short_of_memory = false;
+  std::atomic<std::uint64_t> inverted_rays = 0;
+};
+
 /// One thread's loop around the queue: takes the most important rays there are, traces them, and puts what comes of
 /// them back by importance.
 class Worker {
  public:
-  /// `queue_budget`: bytes of waiting rays beyond which nothing more is queued; 0: no limit.
-  Worker(Frame& frame, render::Stepper& stepper, BlockPool& pool, RayQueue& queue, const Scheme& scheme,
-         std::size_t queue_budget);
+  /// `number` of [0, options.threads).
+  Worker(Frame& frame, render::Stepper& stepper, Shared& shared, const TraceOptions& options, std::size_t number);
 
   /// Until nothing is left or the frame is stopped.
   void run();
 
  private:
-  void trace_tile(std::uint32_t tile);
+  /// Takes up a changed order.
+  void follow_order();
+  void rekey_block();
+  /// Whether the next primary rays come before all that waits, and have room.
+  bool primaries_are_next();
+  void trace_primaries();
   void trace_block(const RayQueue::Popped& popped);
   RayQueue::Popped next_block();
   /// Queues what the last step spawned; `taken` rays had left the queue for it.
   void keep_spawned(std::uint64_t taken);
+  void queue_tasks(std::span<const render::RayTask> tasks);
 
   Frame& frame_;
   render::Stepper& stepper_;
+  Shared& shared_;
   BlockPool& pool_;
   RayQueue& queue_;
-  const Scheme& scheme_;
-  const std::size_t queue_budget_;
+  const Steering* const steering_;
+  const std::size_t number_;
+  const Scheme* scheme_;
+  std::shared_ptr<const Scheme> steered_;  // what scheme_ is after a change
+  std::uint64_t version_ = 0;
   OpenBlocks open_;
   DepthFirst depth_first_;
-  render::PrimaryBatch primaries_;
+  PrimaryOrder::Batch primaries_;
   std::vector<Key> keys_;
-  std::uint64_t reported_ = 0;  // rays of which the frame knows
+  std::vector<render::RayTask> overflow_;
+  std::vector<render::RayTask> stale_;
+  render::RayCounts reported_;  // rays of which the frame knows
 };
 
 }  // namespace firstlight::priority

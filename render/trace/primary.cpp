@@ -1,5 +1,7 @@
 #include "render/trace/primary.h"
 
+#include "render/film/preview.h"
+
 #include <algorithm>
 
 namespace firstlight::render {
@@ -12,31 +14,54 @@ std::uint32_t medium_at(const Scene& scene, MediumTable& media, const Vec3& poin
   return medium;
 }
 
-PrimaryTiles::PrimaryTiles(const Scene& scene, MediumTable& media, int width, int height)
-    : scene_(scene),
-      medium_(medium_at(scene, media, scene.camera.location)),
-      width_(width),
-      height_(height),
-      columns_(static_cast<std::uint32_t>((width + kTileSize - 1) / kTileSize)),
-      rows_(static_cast<std::uint32_t>((height + kTileSize - 1) / kTileSize)) {}
+PrimaryRays::PrimaryRays(const Scene& scene, MediumTable& media, int width, int height)
+    : scene_(scene), medium_(medium_at(scene, media, scene.camera.location)), width_(width), height_(height) {}
 
-void PrimaryTiles::fill(std::uint32_t tile, PrimaryBatch& batch) const {
-  batch.tasks.clear();
-  batch.rays.clear();
-  const int x0 = static_cast<int>(tile % columns_) * kTileSize;
-  const int y0 = static_cast<int>(tile / columns_) * kTileSize;
-  for (int y = y0; y < std::min(y0 + kTileSize, height_); ++y) {
-    for (int x = x0; x < std::min(x0 + kTileSize, width_); ++x) {
-      const Ray ray = primary_ray(scene_.camera, x + 0.5, y + 0.5, width_, height_);
-      RayTask task;
-      task.origin = ray.origin;
-      task.radiance.direction = PackedDirection(ray.direction);
-      task.radiance.set_weight(Rgb(1.0f));
-      task.sample = static_cast<std::uint32_t>(y) * static_cast<std::uint32_t>(width_) + static_cast<std::uint32_t>(x);
-      task.path = task.sample;
-      task.medium = medium_;
-      batch.tasks.push_back(task);
-      batch.rays.push_back(ray);
+void PrimaryRays::append(double x, double y, std::uint32_t sample, PrimaryBatch& batch) const {
+  const Ray ray = primary_ray(scene_.camera, x, y, width_, height_);
+  RayTask task;
+  task.origin = ray.origin;
+  task.radiance.direction = PackedDirection(ray.direction);
+  task.radiance.set_weight(Rgb(1.0f));
+  task.sample = sample;
+  task.path = sample;
+  task.medium = medium_;
+  batch.tasks.push_back(task);
+  batch.rays.push_back(ray);
+}
+
+PrimaryTiles::PrimaryTiles(int width, int height, double offset, Order order)
+    : width_(width), height_(height), offset_(offset) {
+  for (int stride = order == Order::coarse_to_fine ? kCoarsestGrid : 1; stride > 0; stride /= 2) {
+    const auto tiles_across = [stride](int pixels) {
+      const int side = kTileSize * stride;
+      return static_cast<std::uint32_t>((pixels + side - 1) / side);
+    };
+    levels_.push_back({stride, levels_.empty(), tiles_across(width), tiles_across(height)});
+    count_ += levels_.back().tiles();
+  }
+}
+
+int PrimaryTiles::stride_of(std::uint32_t tile) const {
+  auto level = levels_.begin();
+  for (; tile >= level->tiles(); ++level) tile -= level->tiles();
+  return level->stride;
+}
+
+void PrimaryTiles::fill(std::uint32_t tile, const PrimaryRays& rays, PrimaryBatch& batch) const {
+  auto level = levels_.begin();
+  for (; tile >= level->tiles(); ++level) tile -= level->tiles();
+  const int stride = level->stride;
+  const int side = kTileSize * stride;
+  const int x0 = static_cast<int>(tile % level->columns) * side;
+  const int y0 = static_cast<int>(tile / level->columns) * side;
+  const auto on_grid_before = [stride](int coordinate) { return coordinate % (2 * stride) == 0; };
+  for (int y = y0; y < std::min(y0 + side, height_); y += stride) {
+    for (int x = x0; x < std::min(x0 + side, width_); x += stride) {
+      if (!level->first && on_grid_before(x) && on_grid_before(y)) continue;
+      const auto sample =
+          static_cast<std::uint32_t>(y) * static_cast<std::uint32_t>(width_) + static_cast<std::uint32_t>(x);
+      rays.append(x + offset_, y + offset_, sample, batch);
     }
   }
 }

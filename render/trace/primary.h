@@ -14,29 +14,67 @@ namespace firstlight::render {
 struct PrimaryBatch {
   std::vector<RayTask> tasks;
   std::vector<Ray> rays;
+
+  void clear() {
+    tasks.clear();
+    rays.clear();
+  }
 };
 
 /// What a ray that begins at `point` is inside of.
 std::uint32_t medium_at(const Scene& scene, MediumTable& media, const Vec3& point);
 
-/// The picture cut into squares of kTileSize pixels, whose primary rays are made on demand and never queued.
-class PrimaryTiles {
+/// Makes primary rays.
+class PrimaryRays {
  public:
-  static constexpr int kTileSize = 16;
+  PrimaryRays(const Scene& scene, MediumTable& media, int width, int height);
 
-  PrimaryTiles(const Scene& scene, MediumTable& media, int width, int height);
-
-  std::uint32_t count() const { return columns_ * rows_; }
-  /// Replaces `batch` by the primary rays of a tile, pixel by pixel, row by row. Pre: tile < count().
-  void fill(std::uint32_t tile, PrimaryBatch& batch) const;
+  int width() const { return width_; }
+  int height() const { return height_; }
+  /// Appends the ray through picture coordinates, as primary_ray() takes them, that lights a sample of the film.
+  void append(double x, double y, std::uint32_t sample, PrimaryBatch& batch) const;
 
  private:
   const Scene& scene_;
   std::uint32_t medium_;
   int width_;
   int height_;
-  std::uint32_t columns_;
-  std::uint32_t rows_;
+};
+
+/// The pixels of a picture cut into tiles, to be traced one after the other: from a coarse grid of pixels over the
+/// whole picture to the finest, so that a preview can fill the holes between them early, or square by square.
+class PrimaryTiles {
+ public:
+  enum class Order { coarse_to_fine, square_by_square };
+
+  /// Pixels on each side of a tile, in steps of its grid.
+  static constexpr int kTileSize = 16;
+
+  /// `offset`: of a pixel's sample from its upper left corner, in pixels, the same to the right and down.
+  PrimaryTiles(int width, int height, double offset, Order order);
+
+  std::uint32_t count() const { return count_; }
+  /// How many tiles, from the first, make up the coarsest grid.
+  std::uint32_t coarse_count() const { return levels_.front().tiles(); }
+  /// Pixels between the points of the grid that a tile is of. Pre: tile < count().
+  int stride_of(std::uint32_t tile) const;
+  /// Appends the rays of the tile's pixels, row by row. Pre: tile < count(), sizes as given above.
+  void fill(std::uint32_t tile, const PrimaryRays& rays, PrimaryBatch& batch) const;
+
+ private:
+  struct Level {
+    int stride;  ///< pixels between points
+    bool first;  ///< else the points of the level before are left out
+    std::uint32_t columns;
+    std::uint32_t rows;
+    std::uint32_t tiles() const { return columns * rows; }
+  };
+
+  int width_;
+  int height_;
+  double offset_;
+  std::vector<Level> levels_;
+  std::uint32_t count_ = 0;
 };
 
 }  // namespace firstlight::render

@@ -9,9 +9,12 @@
 
 #include <algorithm>
 #include <atomic>
+#include <chrono>
 #include <limits>
+#include <memory>
 #include <new>
 #include <span>
+#include <thread>
 #include <vector>
 
 namespace firstlight::priority {
@@ -25,11 +28,15 @@ struct Rendered {
   TraceResult result;
 };
 
-Rendered render_with(MirrorRoom& room, std::string_view scheme_name, int threads, TraceOptions options = {}) {
+std::shared_ptr<const Scheme> scheme_of(MirrorRoom& room, std::string_view text) {
   std::string error;
-  const auto order = Order::parse(scheme_name, {&room.scene(), kWidth, kHeight}, error);
+  const auto order = Order::parse(text, {&room.scene(), kWidth, kHeight}, error);
   EXPECT_TRUE(order) << error;
-  const auto scheme = order->scheme();
+  return order->scheme();
+}
+
+Rendered render_with(MirrorRoom& room, std::string_view scheme_text, int threads, TraceOptions options = {}) {
+  const auto scheme = scheme_of(room, scheme_text);
   options.scheme = scheme.get();
   options.threads = threads;
   render::Film film(kWidth, kHeight);
@@ -42,7 +49,7 @@ Rendered render_with(MirrorRoom& room, std::string_view scheme_name, int threads
 TEST(Driver, EverySchemeAndThreadCountEndsInTheSamePicture) {
   MirrorRoom room(/*depth=*/2);
   const Rendered reference = render_with(room, "recursive", 1);
-  ASSERT_TRUE(reference.result.complete) << reference.result.error;
+  ASSERT_TRUE(reference.result.complete()) << reference.result.error;
   const render::RayCounts& rays = reference.result.statistics.rays;
   ASSERT_EQ(rays.of(render::RayKind::primary), static_cast<std::uint64_t>(kWidth * kHeight));
   ASSERT_GT(rays.of(render::RayKind::reflection), 1000u);
@@ -51,7 +58,7 @@ TEST(Driver, EverySchemeAndThreadCountEndsInTheSamePicture) {
   for (const SchemeRow& row : schemes()) {
     for (const int threads : {1, 2, 3, 8}) {
       const Rendered other = render_with(room, row.example, threads);
-      EXPECT_TRUE(other.result.complete) << other.result.error;
+      EXPECT_TRUE(other.result.complete()) << other.result.error;
       EXPECT_TRUE(other.colors == reference.colors) << row.name << ", " << threads << " threads";
       EXPECT_EQ(other.result.statistics.rays.by_kind, rays.by_kind) << row.name << ", " << threads << " threads";
     }
@@ -61,16 +68,71 @@ TEST(Driver, EverySchemeAndThreadCountEndsInTheSamePicture) {
 TEST(Driver, AQueueBudgetIsKeptAndThePictureIsTheSame) {
   MirrorRoom room(/*depth=*/2);
   const Rendered reference = render_with(room, "recursive", 1);
-  for (const std::size_t blocks : {1, 20}) {
+  for (const std::size_t budget : {kSmallestQueueMemory, 4 * kSmallestQueueMemory, 20 * kSmallestQueueMemory}) {
     TraceOptions options;
-    options.queue_budget = blocks * BlockPool::kBlockBytes;
+    options.queue_memory = budget;
     for (const char* scheme : {"contribution", "level"}) {
       const Rendered bounded = render_with(room, scheme, 2, options);
       EXPECT_TRUE(bounded.colors == reference.colors) << scheme;
-      // What one step of each worker spawns may open a block for each of its keys before the budget is looked at again.
-      EXPECT_LE(bounded.result.statistics.peak_bytes, (blocks + 2 * 200) * BlockPool::kBlockBytes) << scheme;
+      EXPECT_LE(bounded.result.statistics.peak_bytes, budget) << scheme;
+      EXPECT_GT(bounded.result.statistics.peak_bytes, budget / 4) << scheme;
     }
   }
+}
+
+/// Counts the checkpoints and looks whether anything moves meanwhile.
+struct Checkpoints final : Observer {
+  explicit Checkpoints(const render::Film& of) : film(of) {}
+  void checkpoint(const Progress& progress) override {
+    EXPECT_GT(progress.traced.total(), last);
+    last = progress.traced.total();
+    const std::vector<render::Rgb> before = film.snapshot();
+    std::this_thread::sleep_for(std::chrono::milliseconds(5));
+    EXPECT_TRUE(film.snapshot() == before) << "a worker did not rest";
+    ++count;
+  }
+  static constexpr std::uint64_t kEvery = 5000;
+  const render::Film& film;
+  std::uint64_t last = 0;
+  int count = 0;
+};
+
+TEST(Driver, AllWorkersRestAtCheckpoints) {
+  MirrorRoom room(/*depth=*/2);
+  for (const char* name : {"contribution", "recursive"}) {
+    for (const int threads : {1, 3}) {
+      render::Film film(kWidth, kHeight);
+      Checkpoints checkpoints(film);
+      const auto scheme = scheme_of(room, name);
+      TraceOptions options;
+      options.scheme = scheme.get();
+      options.threads = threads;
+      options.observer = &checkpoints;
+      options.checkpoint_rays = Checkpoints::kEvery;
+      const TraceResult result = trace(room.context(), film, options);
+      EXPECT_TRUE(result.complete()) << result.error;
+      EXPECT_GT(checkpoints.count, 5) << name << ", " << threads << " threads";
+      EXPECT_EQ(result.statistics.remaining, 0.0);
+    }
+  }
+}
+
+TEST(Driver, EndsAtTheErrorThatIsAskedFor) {
+  MirrorRoom room(/*depth=*/3);
+  TraceOptions options;
+  options.stop_at_error = 1e9;
+  const Rendered at_once = render_with(room, "contribution", 1, options);
+  EXPECT_EQ(at_once.result.end, End::error_reached);
+  EXPECT_GT(at_once.result.statistics.remaining, 0.0);
+}
+
+TEST(Driver, EndsWhenTheTimeIsOver) {
+  MirrorRoom room(/*depth=*/3, /*glass=*/0, /*max_trace_level=*/30);
+  TraceOptions options;
+  options.stop_after = 1e-6;
+  const Rendered short_of = render_with(room, "contribution", 1, options);
+  EXPECT_EQ(short_of.result.end, End::time_over);
+  EXPECT_LT(short_of.result.statistics.seconds, 2.0);
 }
 
 TEST(Driver, StatisticsDescribeTheQueue) {
@@ -102,7 +164,7 @@ TEST(Driver, StopsWhenAskedTo) {
   options.stop = &stop;
   for (const char* scheme : {"contribution", "recursive"}) {
     const Rendered stopped = render_with(room, scheme, 2, options);
-    EXPECT_FALSE(stopped.result.complete) << scheme;
+    EXPECT_FALSE(stopped.result.complete()) << scheme;
     EXPECT_EQ(stopped.result.error, "") << scheme;
     EXPECT_EQ(stopped.result.statistics.rays.total(), 0u) << scheme;
   }
@@ -154,7 +216,7 @@ TEST(Driver, AFailureInAWorkerEndsInAMessage) {
     options.threads = threads;
     render::Film film(kWidth, kHeight);
     const TraceResult result = trace(room.context(), film, options);
-    EXPECT_FALSE(result.complete);
+    EXPECT_FALSE(result.complete());
     EXPECT_EQ(result.error, "not enough memory");
   }
 }

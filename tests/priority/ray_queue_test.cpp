@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <atomic>
 #include <memory>
 #include <random>
 #include <set>
@@ -24,6 +25,10 @@ RayTask task_of(std::uint32_t sample) {
   task.sample = sample;
   return task;
 }
+
+constexpr std::uint64_t kVersion = 1;
+
+bool no_more() { return false; }
 
 /// A queue for one worker, on the heap for its size.
 struct Bench {
@@ -59,7 +64,7 @@ TEST(BlockPool, CountsWhatIsInUseAndItsPeak) {
   BlockPool pool;
   std::vector<Block*> blocks;
   for (int i = 0; i < 100; ++i) blocks.push_back(pool.acquire());
-  EXPECT_EQ(pool.bytes(), 100 * BlockPool::kBlockBytes);
+  EXPECT_EQ(pool.bytes(), 100 * pool.block_bytes());
   EXPECT_EQ(std::set<RayTask*>([&] {
               std::set<RayTask*> places;
               for (const Block* block : blocks) places.insert(block->tasks);
@@ -70,8 +75,31 @@ TEST(BlockPool, CountsWhatIsInUseAndItsPeak) {
   for (Block* block : blocks) pool.release(block);
   EXPECT_EQ(pool.bytes(), 0u);
   for (int i = 0; i < 50; ++i) pool.acquire();
-  EXPECT_EQ(pool.bytes(), 50 * BlockPool::kBlockBytes);
-  EXPECT_EQ(pool.peak_bytes(), 100 * BlockPool::kBlockBytes);
+  EXPECT_EQ(pool.bytes(), 50 * pool.block_bytes());
+  EXPECT_EQ(pool.peak_bytes(), 100 * pool.block_bytes());
+}
+
+TEST(BlockPool, KeepsItsBudget) {
+  constexpr std::size_t kBudget = 1 << 20;
+  BlockPool pool(kBudget);
+  EXPECT_LT(pool.block_size(), BlockPool::kLargestBlock);
+  std::vector<Block*> blocks;
+  for (Block* block = pool.acquire(); block != nullptr; block = pool.acquire()) blocks.push_back(block);
+  EXPECT_LE(pool.bytes(), kBudget);
+  EXPECT_GT(pool.bytes(), kBudget / 10 * 9);
+  pool.release(blocks.back());
+  EXPECT_NE(pool.acquire(), nullptr);
+}
+
+TEST(BlockPool, GivesMemoryBackThatNobodyUses) {
+  BlockPool pool;
+  constexpr int kBlocks = 3000;  // of several chunks
+  std::vector<Block*> blocks;
+  for (int i = 0; i < kBlocks; ++i) blocks.push_back(pool.acquire());
+  const std::size_t full = pool.reserved_bytes();
+  for (Block* block : blocks) pool.release(block);
+  EXPECT_LT(pool.reserved_bytes(), full / 4);
+  EXPECT_GT(pool.reserved_bytes(), 0u) << "one chunk stays for the next rays";
 }
 
 TEST(BlockPool, GivesEmptyBlocks) {
@@ -84,7 +112,7 @@ TEST(BlockPool, GivesEmptyBlocks) {
 
 TEST(RayQueue, HighestSlotLeavesFirst) {
   Bench bench;
-  for (const Slot slot : {3u, 200u, 17u, 8191u}) bench.queue->push(slot, bench.block(slot % 100 + 1));
+  for (const Slot slot : {3u, 200u, 17u, 8191u}) bench.queue->push(slot, bench.block(slot % 100 + 1), kVersion);
   for (const Slot slot : {8191u, 200u, 17u, 3u}) {
     const auto popped = bench.queue->pop();
     ASSERT_NE(popped.block, nullptr);
@@ -106,24 +134,24 @@ TEST(RayQueue, RadianceLeavesBeforeShadowsOfTheSameKeyAndAfterAHigherKey) {
 
 TEST(RayQueue, GivesNothingBelowWhatIsAskedFor) {
   Bench bench;
-  bench.queue->push(10, bench.block(5));
+  bench.queue->push(10, bench.block(5), kVersion);
   EXPECT_EQ(bench.queue->pop(11).block, nullptr);
   EXPECT_NE(bench.queue->pop(10).block, nullptr);
 }
 
 TEST(RayQueue, FullBlocksLeaveBeforeTheOthersOfTheirSlot) {
   Bench bench;
-  bench.queue->push(4, bench.block(10));
-  bench.queue->push(4, bench.block(kBlockSize));
-  EXPECT_EQ(bench.queue->pop().block->count, kBlockSize);
+  bench.queue->push(4, bench.block(10), kVersion);
+  bench.queue->push(4, bench.block(BlockPool::kLargestBlock), kVersion);
+  EXPECT_EQ(bench.queue->pop().block->count, BlockPool::kLargestBlock);
   EXPECT_EQ(bench.queue->pop().block->count, 10u);
 }
 
 TEST(RayQueue, JoinsHalfEmptyBlocksWithoutLosingARay) {
   Bench bench;
   constexpr std::uint32_t kPart = 700;  // two fill a block and leave some over
-  for (std::uint32_t i = 0; i < 5; ++i) bench.queue->push(9, bench.block(kPart, i * kPart));
-  EXPECT_EQ(bench.pool.bytes(), 4 * BlockPool::kBlockBytes) << "3500 rays fit into four blocks";
+  for (std::uint32_t i = 0; i < 5; ++i) bench.queue->push(9, bench.block(kPart, i * kPart), kVersion);
+  EXPECT_EQ(bench.pool.bytes(), 4 * bench.pool.block_bytes()) << "3500 rays fit into four blocks";
   std::vector<bool> seen(5 * kPart);
   for (auto popped = bench.queue->pop(); popped.block != nullptr; popped = bench.queue->pop()) {
     for (const RayTask& task : popped.block->span()) {
@@ -138,9 +166,9 @@ TEST(RayQueue, JoinsHalfEmptyBlocksWithoutLosingARay) {
 
 TEST(RayQueue, ALoneWorkerThatFindsNothingIsDone) {
   Bench bench;
-  bench.queue->push(1, bench.block(1));
-  EXPECT_NE(bench.queue->wait_and_pop().block, nullptr);
-  EXPECT_EQ(bench.queue->wait_and_pop().block, nullptr);
+  bench.queue->push(1, bench.block(1), kVersion);
+  EXPECT_NE(bench.queue->wait_and_pop(no_more).block, nullptr);
+  EXPECT_EQ(bench.queue->wait_and_pop(no_more).block, nullptr);
 }
 
 TEST(RayQueue, AWaitingWorkerGetsWhatAnotherPushesAndBothEnd) {
@@ -148,26 +176,71 @@ TEST(RayQueue, AWaitingWorkerGetsWhatAnotherPushesAndBothEnd) {
   const auto queue = std::make_unique<RayQueue>(pool, 2);
   std::uint32_t received = 0;
   std::jthread other([&] {
-    for (auto popped = queue->wait_and_pop(); popped.block != nullptr; popped = queue->wait_and_pop()) {
+    for (auto popped = queue->wait_and_pop(no_more); popped.block != nullptr; popped = queue->wait_and_pop(no_more)) {
       received += popped.block->count;
       pool.release(popped.block);
     }
   });
   Block* const block = pool.acquire();
   block->count = 3;
-  queue->push(7, block);
+  queue->push(7, block, kVersion);
   std::uint32_t own = 0;
-  for (auto popped = queue->wait_and_pop(); popped.block != nullptr; popped = queue->wait_and_pop()) {
+  for (auto popped = queue->wait_and_pop(no_more); popped.block != nullptr; popped = queue->wait_and_pop(no_more)) {
     own += popped.block->count;
   }
   other.join();
   EXPECT_EQ(received + own, 3u);
 }
 
+TEST(RayQueue, TheLastWorkerToRunDryMayFindMoreAndWakesTheOthers) {
+  BlockPool pool;
+  const auto queue = std::make_unique<RayQueue>(pool, 2);
+  std::atomic<int> refills = 0;
+  const auto refill = [&] { return ++refills <= 3; };
+  const auto work = [&] {
+    while (!queue->closed()) EXPECT_EQ(queue->wait_and_pop(refill).block, nullptr);
+  };
+  {
+    std::jthread one(work);
+    std::jthread other(work);
+  }
+  EXPECT_EQ(refills, 4);
+}
+
+TEST(RayQueue, AnotherOrderMakesAllThatWaitsStaleOnce) {
+  Bench bench;
+  bench.queue->push(3, bench.block(5), 1);
+  bench.queue->push(900, bench.block(7), 1);
+  bench.queue->begin_rekey(2);
+  bench.queue->begin_rekey(2);
+  EXPECT_EQ(bench.queue->top(), kNoSlot);
+  std::uint32_t rays = 0;
+  while (bench.queue->has_stale()) {
+    Block* const block = bench.queue->pop_stale();
+    ASSERT_NE(block, nullptr);
+    const std::uint32_t count = block->count;
+    rays += count;
+    bench.queue->push(40, block, 2);
+    bench.queue->rekeyed(count);
+  }
+  EXPECT_EQ(rays, 12u);
+  EXPECT_EQ(bench.queue->pop().slot, 40u);
+  EXPECT_EQ(bench.queue->rekeying().count, 1u);
+  EXPECT_EQ(bench.queue->rekeying().rays, 12u);
+}
+
+TEST(RayQueue, WhatComesInAnOlderOrderIsStaleAtOnce) {
+  Bench bench;
+  bench.queue->begin_rekey(5);
+  bench.queue->push(3, bench.block(5), 4);
+  EXPECT_TRUE(bench.queue->has_stale());
+  EXPECT_EQ(bench.queue->top(), kNoSlot);
+}
+
 TEST(RayQueue, ClosingWakesThoseWhoWait) {
   BlockPool pool;
   const auto queue = std::make_unique<RayQueue>(pool, 2);
-  std::jthread other([&] { EXPECT_EQ(queue->wait_and_pop().block, nullptr); });
+  std::jthread other([&] { EXPECT_EQ(queue->wait_and_pop(no_more).block, nullptr); });
   queue->close();
 }
 
@@ -193,7 +266,9 @@ TEST(OpenBlocks, KeepEveryRayUnderItsKey) {
     tasks.push_back(task);
     keys.push_back(static_cast<Key>(random() % 20));
   }
-  open->scatter(tasks, keys);
+  std::vector<RayTask> overflow;
+  open->scatter(tasks, keys, overflow);
+  EXPECT_TRUE(overflow.empty());
   EXPECT_NE(bench.queue->top(), kNoSlot) << "full blocks are handed on";
   EXPECT_EQ(open->top(), static_cast<int>(slot_of(19, RayKind::reflection)));
   open->flush();

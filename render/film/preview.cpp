@@ -1,0 +1,96 @@
+#include "render/film/preview.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <utility>
+
+namespace firstlight::render {
+namespace {
+
+/// How far a pixel is off, on average, for each unit of the bound on what it misses. Measured on scenes of mirrors and
+/// glass: 0.04 to 0.06. It only decides when a pixel's own light looks better than its neighbours'.
+constexpr float kErrorOfBound = 0.05f;
+/// The same for what is interpolated between neighbours, for each unit of contrast between them.
+constexpr float kErrorOfContrast = 0.25f;
+
+/// Fills a picture grid by grid, keeping for each pixel how far it may be off.
+class HoleFilling {
+ public:
+  explicit HoleFilling(const Film& film)
+      : film_(film), width_(film.width()), height_(film.height()), picture_(film.snapshot()), error_(picture_.size()) {}
+
+  std::vector<Rgb> run() {
+    visit_grid(kCoarsestGrid, 0, [this](int x, int y) { error_[index(x, y)] = own_error(x, y); });
+    for (int stride = kCoarsestGrid / 2; stride > 0; stride /= 2) {
+      visit_grid(stride, 2 * stride, [this, stride](int x, int y) {
+        const Guess guess = between(x, y, stride);
+        const float own = film_.is_lit(x, y) ? own_error(x, y) : INFINITY;
+        if (own <= guess.error) {
+          error_[index(x, y)] = own;
+        } else {
+          error_[index(x, y)] = guess.error;
+          picture_[index(x, y)] = guess.color;
+        }
+      });
+    }
+    return std::move(picture_);
+  }
+
+ private:
+  struct Guess {
+    Rgb color;
+    float error;
+  };
+
+  /// The points of a grid but for those of a coarser one, if there is one.
+  template <class Visit>
+  void visit_grid(int stride, int coarser, const Visit& visit) {
+    for (int y = 0; y < height_; y += stride) {
+      for (int x = 0; x < width_; x += stride) {
+        if (coarser == 0 || x % coarser != 0 || y % coarser != 0) visit(x, y);
+      }
+    }
+  }
+  std::size_t index(int x, int y) const {
+    return static_cast<std::size_t>(y) * static_cast<std::size_t>(width_) + static_cast<std::size_t>(x);
+  }
+  float own_error(int x, int y) const { return kErrorOfBound * static_cast<float>(film_.outstanding(x, y)); }
+
+  /// From the two or four points of the coarser grid around (x, y), as far as they are in the picture.
+  Guess between(int x, int y, int stride) const {
+    const int dx = x % (2 * stride) == 0 ? 0 : stride;
+    const int dy = y % (2 * stride) == 0 ? 0 : stride;
+    Rgb sum(0.0f);
+    Rgb least(INFINITY);
+    Rgb most(-INFINITY);
+    float error = 0.0f;
+    float count = 0.0f;
+    for (const int ny : {y - dy, y + dy}) {
+      for (const int nx : {x - dx, x + dx}) {
+        if (nx >= width_ || ny >= height_) continue;
+        const Rgb& color = picture_[index(nx, ny)];
+        sum += color;
+        error += error_[index(nx, ny)];
+        count += 1.0f;
+        for (unsigned c = 0; c < 3; ++c) {
+          least[c] = std::min(least[c], color[c]);
+          most[c] = std::max(most[c], color[c]);
+        }
+      }
+    }
+    return {sum / count, error / count + kErrorOfContrast * max_component(most - least)};
+  }
+
+  const Film& film_;
+  const int width_;
+  const int height_;
+  std::vector<Rgb> picture_;
+  std::vector<float> error_;
+};
+
+}  // namespace
+
+std::vector<Rgb> preview(const Film& film) { return HoleFilling(film).run(); }
+
+}  // namespace firstlight::render
