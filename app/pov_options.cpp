@@ -6,7 +6,9 @@
 
 #include <algorithm>
 #include <cctype>
+#include <cmath>
 #include <cstddef>
+#include <limits>
 #include <optional>
 
 namespace firstlight::app {
@@ -75,6 +77,15 @@ void PovOptions::read_setting(const std::string& word) {
     const std::string near = nearest(name, known_settings());
     out_.errors.push_back(
         fmt::format("unknown setting '{}'{}", word, near.empty() ? "" : "; the nearest known one is " + near + "="));
+    return;
+  }
+  if (double* const number = number_of_setting(name)) {
+    const auto parsed = parse<double>(value);
+    if (!parsed) {
+      out_.errors.push_back(fmt::format("setting '{}': '{}' is not a possible value", word, value));
+      return;
+    }
+    *number = *parsed;
     return;
   }
   std::string as_switch;
@@ -153,7 +164,12 @@ bool PovOptions::apply(std::string_view word) {
       break;
     }
     case Use::antialias:
-      antialias_ = on ? word : std::string_view();
+    case Use::antialias_method:
+    case Use::antialias_depth:
+    case Use::antialias_gamma:
+    case Use::jitter:
+    case Use::block_size:
+      apply_antialias(row->use, on, parameter);
       break;
     case Use::quality:
       if (const int quality = *parse<int>(parameter); quality < 9 || quality > 11) {
@@ -177,11 +193,64 @@ bool PovOptions::apply(std::string_view word) {
   return true;
 }
 
-void PovOptions::finish() {
-  if (!antialias_.empty()) {
-    out_.errors.push_back(
-        fmt::format("option '{}': anti-aliasing is not available; give -A to render without", antialias_));
+double* PovOptions::number_of_setting(std::string_view name) {
+  if (name == "antialias_threshold") return &antialias_settings_.threshold;
+  if (name == "jitter_amount") return &antialias_settings_.jitter_amount;
+  return nullptr;
+}
+
+void PovOptions::apply_antialias(Use use, bool on, std::string_view parameter) {
+  render::AntialiasSettings& settings = antialias_settings_;
+  switch (use) {
+    case Use::antialias:
+      antialias_ = on;
+      if (!parameter.empty()) settings.threshold = *parse<double>(parameter);
+      break;
+    case Use::antialias_method:
+      settings.method = *parse<int>(parameter);
+      break;
+    case Use::antialias_depth:
+      settings.depth = *parse<int>(parameter);
+      break;
+    case Use::antialias_gamma:
+      settings.gamma = *parse<double>(parameter);
+      break;
+    case Use::jitter:
+      settings.jitter = on;
+      if (!parameter.empty()) settings.jitter_amount = *parse<double>(parameter);
+      break;
+    default:
+      settings.block_size = *parse<int>(parameter);
+      break;
   }
 }
+
+void PovOptions::finish_antialias() {
+  if (!antialias_) return;
+  render::AntialiasSettings& settings = antialias_settings_;
+  const auto bring_within = [&](std::string_view name, auto& value, auto least, auto most) {
+    const auto given = value;
+    value = !(value >= least) ? least : std::min(value, most);
+    if (value != given) {
+      out_.warnings.push_back(fmt::format("{}={}: {} to {} is possible, {} is used", name, given, least, most, value));
+    }
+  };
+  if (!(settings.gamma > 0.0 && std::isfinite(settings.gamma))) {
+    out_.errors.push_back(fmt::format("Antialias_Gamma={}: expected a number above 0", settings.gamma));
+  }
+  if (settings.method < 1) {
+    out_.warnings.push_back(
+        fmt::format("Sampling_Method={}: no anti-aliasing; the methods are 1 and 2", settings.method));
+    return;
+  }
+  bring_within("Sampling_Method", settings.method, 1, 2);
+  bring_within("Antialias_Threshold", settings.threshold, 0.0, 1.0);
+  bring_within("Antialias_Depth", settings.depth, 1, 9);
+  bring_within("Jitter_Amount", settings.jitter_amount, 0.0, 1.0);
+  bring_within("Render_Block_Size", settings.block_size, 4, std::numeric_limits<int>::max());
+  out_.options.antialias = settings;
+}
+
+void PovOptions::finish() { finish_antialias(); }
 
 }  // namespace firstlight::app

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "app/options.h"
+#include "app/pov_switches.h"
 
 #include <string>
 #include <string_view>
@@ -23,9 +24,14 @@ class PovOptions {
   void read_setting(const std::string& word);
   void read_declare(std::string_view assignment);
   bool apply(std::string_view word);
+  /// What a setting changes that, unlike the switch of the same meaning, does not also turn something on; else null.
+  double* number_of_setting(std::string_view name);
+  void apply_antialias(Use use, bool on, std::string_view parameter);
+  void finish_antialias();
 
   CommandLine& out_;
-  std::string antialias_;  // the word that asked for it last, empty when off
+  bool antialias_ = false;
+  render::AntialiasSettings antialias_settings_;
 };
 
 }  // namespace firstlight::app

@@ -24,6 +24,11 @@ enum class Use {
   file_type,
   write_picture,
   antialias,
+  antialias_method,
+  antialias_depth,
+  antialias_gamma,
+  jitter,
+  block_size,
   quality,
   version,
   ignored,        ///< cannot change the finished picture

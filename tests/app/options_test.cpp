@@ -130,18 +130,63 @@ TEST(Options, WhatCannotChangeThePictureIsAccepted) {
 }
 
 TEST(Options, WhatWouldChangeThePictureIsRefusedByItsName) {
-  for (const char* word :
-       {"+A",         "+A0.3",      "+Q4",  "+SC10", "+EC0.5", "+SR1", "+ER20", "+KFF10", "+KFI1",
-        "+KI0",       "+KF1",       "+KC",  "+UA",   "+UF",    "+TH",  "+THB4", "+MV3.5", "+HIhead.inc",
-        "+GIout.ini", "+GAlog.txt", "+RTR", "+SF2",  "+EF5",   "+FS",  "+FN16", "+O-"}) {
+  for (const char* word : {"+Q4",        "+SC10",      "+EC0.5", "+SR1", "+ER20", "+KFF10", "+KFI1",  "+KI0",
+                           "+KF1",       "+KC",        "+UA",    "+UF",  "+TH",   "+THB4",  "+MV3.5", "+HIhead.inc",
+                           "+GIout.ini", "+GAlog.txt", "+RTR",   "+SF2", "+EF5",  "+FS",    "+FN16",  "+O-"}) {
     EXPECT_NE(complaint({word}).find(word), std::string::npos) << complaint({word});
   }
-  EXPECT_NE(complaint({"Antialias=on"}).find("anti-aliasing"), std::string::npos);
+}
+
+TEST(Options, AntiAliasingHasPovRaysDefaults) {
+  EXPECT_FALSE(good({}).antialias);
+  const auto antialias = good({"+A"}).antialias;
+  ASSERT_TRUE(antialias);
+  EXPECT_EQ(antialias->method, 1);
+  EXPECT_EQ(antialias->threshold, 0.3);
+  EXPECT_EQ(antialias->depth, 3);
+  EXPECT_TRUE(antialias->jitter);
+  EXPECT_EQ(antialias->jitter_amount, 1.0);
+  EXPECT_EQ(antialias->gamma, 2.5);
+  EXPECT_EQ(antialias->block_size, 32);
+}
+
+TEST(Options, AntiAliasingIsReadFromSwitchesAndSettings) {
+  const std::vector<std::vector<std::string>> forms{
+      {"+A0.1", "+AM2", "+R4", "-J0.5", "+AG1.8", "+BS16"},
+      {"Antialias=on", "Antialias_Threshold=0.1", "Sampling_Method=2", "Antialias_Depth=4", "Jitter=off",
+       "Jitter_Amount=0.5", "Antialias_Gamma=1.8", "Render_Block_Size=16"}};
+  for (const std::vector<std::string>& words : forms) {
+    const auto antialias = good(words).antialias;
+    ASSERT_TRUE(antialias);
+    EXPECT_EQ(antialias->method, 2);
+    EXPECT_EQ(antialias->threshold, 0.1);
+    EXPECT_EQ(antialias->depth, 4);
+    EXPECT_FALSE(antialias->jitter);
+    EXPECT_EQ(antialias->jitter_amount, 0.5);
+    EXPECT_EQ(antialias->gamma, 1.8);
+    EXPECT_EQ(antialias->block_size, 16);
+  }
 }
 
 TEST(Options, TheLastWordOnAntiAliasingCounts) {
-  good({"+A0.3", "-A"});
-  complaint({"-A", "+A"});
+  EXPECT_FALSE(good({"+A0.3", "-A"}).antialias);
+  EXPECT_TRUE(good({"-A", "+A"}).antialias);
+  EXPECT_FALSE(good({"Antialias_Threshold=0.1"}).antialias);
+  EXPECT_EQ(good({"-A0.1", "+A"}).antialias->threshold, 0.1);
+}
+
+TEST(Options, AntiAliasingOutOfRangeIsBroughtIntoItWithAWarning) {
+  for (const char* word : {"+A7", "+AM3", "+R0", "+R99", "+J3", "Jitter_Amount=-1", "+BS1"}) {
+    const CommandLine line = parse({"scene.pov", word, "Antialias=on"});
+    EXPECT_TRUE(line.errors.empty()) << word;
+    EXPECT_EQ(line.warnings.size(), 1u) << word;
+    EXPECT_TRUE(line.options.antialias) << word;
+  }
+  EXPECT_EQ(good({"+A", "+AM3"}).antialias->method, 2);
+  EXPECT_EQ(good({"+A", "+R99"}).antialias->depth, 9);
+  EXPECT_FALSE(good({"+A", "+AM0"}).antialias);
+  EXPECT_NE(complaint({"+A", "+AG0"}).find("Antialias_Gamma"), std::string::npos);
+  EXPECT_NE(complaint({"+A", "+AGnan"}).find("Antialias_Gamma"), std::string::npos);
 }
 
 TEST(Options, WrongNumbersAreNamed) {
