@@ -43,6 +43,7 @@ Frame::Frame(const render::TraceContext& context, render::Film& film, const Trac
   const std::int64_t most = bound_.at_stake(primary_task());
   film.expect(most);
   remaining_ = in_coarse_steps(most) * film.width() * film.height();
+  if (options.antialias != nullptr) look_at_refinement();
 }
 
 bool Frame::asked_to_stop() const {
@@ -180,6 +181,7 @@ void Frame::watch(const RayQueue& queue, const BlockPool& pool) {
     }
     const News news = std::exchange(news_, {});
     lock.unlock();
+    if (options_.antialias != nullptr && Clock::now() >= next_progress) look_at_refinement();
     stop_where_aims_are_reached();
     const Progress now = progress(queue, pool);
     if (news.preview) observer.preview(now);
@@ -213,8 +215,18 @@ Progress Frame::progress(const RayQueue& queue, const BlockPool& pool) const {
   return progress;
 }
 
+// Pixels that may get more samples are not what their waiting rays make of them, so each of them has to be asked.
+void Frame::look_at_refinement() {
+  double sum = 0.0;
+  for (int y = 0; y < film_.height(); ++y) {
+    for (int x = 0; x < film_.width(); ++x) sum += film_.outstanding(x, y);
+  }
+  refinement_remaining_ = sum;
+}
+
 double Frame::remaining() const {
   const double pixels = static_cast<double>(film_.width()) * static_cast<double>(film_.height());
+  if (options_.antialias != nullptr) return refinement_remaining_.load(std::memory_order_relaxed) / pixels;
   return static_cast<double>(remaining_.load(std::memory_order_relaxed)) * kCoarseStep / pixels;
 }
 

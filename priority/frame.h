@@ -77,6 +77,7 @@ class Frame {
   void hold_checkpoint(const Progress& progress, std::unique_lock<std::mutex>& lock);
   /// Until when to sleep before the next look at the aims. Pre: the lock is held.
   std::chrono::duration<double> look_after() const;
+  void look_at_refinement();
   void stop_where_aims_are_reached();
   void end_with(End end);
 
@@ -91,6 +92,7 @@ class Frame {
   std::atomic<std::uint32_t> coarse_tiles_lit_ = 0;
   std::array<std::atomic<std::uint64_t>, 4> traced_{};  // by kind
   std::atomic<std::int64_t> remaining_ = 0;             // over all pixels, in steps of 2^-20
+  std::atomic<double> refinement_remaining_ = 0.0;      // over all pixels, with anti-aliasing; as of the last look
   std::atomic<Key> key_ = kBuckets;                     // none yet
   std::atomic<bool> stopped_ = false;
   std::atomic<bool> wants_key_change_ = false;

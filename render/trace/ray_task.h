@@ -101,7 +101,11 @@ class RayTask {
   /// Of kind shadow: bit i set for light first_light() + 1 + i, in the order of light_at_stake.
   std::uint32_t more_lights() const { return path >> kFirstLightBits; }
   /// How many rays the record stands for.
-  int ray_count() const { return kind == RayKind::shadow ? 1 + std::popcount(more_lights()) : 1; }
+  int ray_count() const {
+    if (kind != RayKind::shadow) return 1;
+    const std::uint32_t more = more_lights();  // at most two bits of it are set
+    return 1 + (more != 0 ? 1 : 0) + ((more & (more - 1)) != 0 ? 1 : 0);
+  }
   /// Turns the record into one feeler. Pre: light < kMostLights.
   void set_feeler(std::uint32_t light, PackedRgb at_stake) {
     kind = RayKind::shadow;
