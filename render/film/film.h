@@ -3,8 +3,10 @@
 #include "render/math/color.h"
 #include "render/math/fixed_rgb.h"
 
+#include <array>
 #include <atomic>
 #include <cstdint>
+#include <mutex>
 #include <span>
 #include <vector>
 
@@ -84,6 +86,16 @@ class Film {
     }
   };
 
+  /// Samples whose sums one thread at a time changes: some rows of the picture.
+  struct alignas(64) Stripe {
+    std::mutex mutex;
+  };
+  static constexpr std::size_t kStripes = 64;
+  static constexpr std::size_t kMostAtOnce = 1024;
+  static std::size_t stripe_of(std::uint32_t sample) { return sample >> 12 & (kStripes - 1); }
+  void add_plainly(const Contribution& contribution);
+  void add_by_stripes(std::span<const Contribution> contributions);
+
   std::size_t index(int x, int y) const {
     return static_cast<std::size_t>(y) * static_cast<std::size_t>(width_) + static_cast<std::size_t>(x);
   }
@@ -94,6 +106,7 @@ class Film {
   int width_;
   int height_;
   std::vector<Sample> samples_;
+  std::array<Stripe, kStripes> locks_;
   std::vector<std::atomic<std::uint8_t>> lit_;
   std::int64_t most_ = 0;   // that a sample can end with
   std::int64_t least_ = 0;  // the same from below
