@@ -5,8 +5,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <optional>
 #include <string_view>
+#include <vector>
 
 namespace firstlight::app {
 namespace {
@@ -14,19 +14,28 @@ namespace {
 constexpr std::size_t kDigits = 9;
 constexpr std::string_view kActions = " qsd?";
 
-/// The scheme whose name begins with `key`, the first in the table; a key that does something else is none.
-std::optional<std::size_t> scheme_of_letter(char key) {
-  if (kActions.find(key) != std::string_view::npos) return std::nullopt;
-  const auto schemes = priority::schemes();
-  const auto row = std::ranges::find_if(schemes, [&](const auto& scheme) { return scheme.name.starts_with(key); });
-  if (row == schemes.end()) return std::nullopt;
-  return static_cast<std::size_t>(row - schemes.begin());
+using Rows = std::vector<const priority::SchemeRow*>;
+
+/// The schemes that can be changed to while it renders: all that have a queue.
+Rows choices() {
+  Rows rows;
+  for (const priority::SchemeRow& row : priority::schemes()) {
+    if (row.make != nullptr) rows.push_back(&row);
+  }
+  return rows;
 }
 
-std::optional<std::size_t> scheme_of(char key) {
-  const std::size_t count = std::min(kDigits, priority::schemes().size());
-  if (key >= '1' && key < '1' + static_cast<char>(count)) return static_cast<std::size_t>(key - '1');
-  return scheme_of_letter(key);
+/// The first whose name begins with `key`, null for a key that does something else.
+const priority::SchemeRow* choice_of_letter(const Rows& rows, char key) {
+  if (kActions.find(key) != std::string_view::npos) return nullptr;
+  const auto row = std::ranges::find_if(rows, [&](const auto* scheme) { return scheme->name.starts_with(key); });
+  return row == rows.end() ? nullptr : *row;
+}
+
+const priority::SchemeRow* choice_of(char key) {
+  const Rows rows = choices();
+  const auto digit = static_cast<std::size_t>(key - '1');
+  return key >= '1' && digit < std::min(kDigits, rows.size()) ? rows[digit] : choice_of_letter(rows, key);
 }
 
 }  // namespace
@@ -55,14 +64,10 @@ std::string KeyCommands::press(char key) {
     default:
       break;
   }
-  const auto row = scheme_of(key);
-  return row ? set_scheme(*row) : "";
-}
-
-std::string KeyCommands::set_scheme(std::size_t row) {
-  const std::string_view text = priority::schemes()[row].example;
-  const std::string problem = steering_.set_scheme(text);
-  return problem.empty() ? fmt::format("scheme {}", text) : problem;
+  const priority::SchemeRow* const row = choice_of(key);
+  if (row == nullptr) return {};
+  const std::string problem = steering_.set_scheme(row->example);
+  return problem.empty() ? fmt::format("scheme {}", row->example) : problem;
 }
 
 std::string keys_help() {
@@ -71,12 +76,12 @@ std::string keys_help() {
       "  s         save the picture as it is\n"
       "  q         save it and leave\n"
       "  d         drop all boosts\n";
-  const auto schemes = priority::schemes();
-  for (std::size_t row = 0; row < schemes.size(); ++row) {
-    const char letter = schemes[row].name[0];
-    std::string keys = row < kDigits ? fmt::format("{}", row + 1) : "";
-    if (scheme_of_letter(letter) == row) keys += fmt::format("{}{}", keys.empty() ? "" : " ", letter);
-    if (!keys.empty()) text += fmt::format("  {:<8}  scheme {}\n", keys, schemes[row].example);
+  const Rows rows = choices();
+  for (std::size_t i = 0; i < rows.size(); ++i) {
+    const char letter = rows[i]->name[0];
+    std::string keys = i < kDigits ? fmt::format("{}", i + 1) : "";
+    if (choice_of_letter(rows, letter) == rows[i]) keys += fmt::format("{}{}", keys.empty() ? "" : " ", letter);
+    if (!keys.empty()) text += fmt::format("  {:<8}  scheme {}\n", keys, rows[i]->example);
   }
   return text;
 }

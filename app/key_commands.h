@@ -17,8 +17,6 @@ class KeyCommands {
   std::string press(char key);
 
  private:
-  std::string set_scheme(std::size_t row);
-
   priority::Steering& steering_;
   Desk& desk_;
 };

@@ -69,11 +69,7 @@ SteerCommands::Answer SteerCommands::answer(std::string_view line) {
   const std::string_view text = trimmed(line.substr(name.size()));
   const auto row = std::ranges::find(rows(), name, &Row::name);
   if (row == rows().end()) {
-    std::vector<std::string> known;
-    for (const Row& command : rows()) known.emplace_back(command.name);
-    const std::string near = nearest(std::string(name), known);
-    return {one_line(fmt::format("error there is no command '{}'; {}", name,
-                                 near.empty() ? "help lists all" : fmt::format("the nearest is '{}'", near)))};
+    return {unknown(name)};
   }
   if (row->needs_more && text.empty()) return {fmt::format("error expected {} {}", row->name, row->parameters)};
   if (row->parameters.empty() && !text.empty()) {
@@ -81,6 +77,17 @@ SteerCommands::Answer SteerCommands::answer(std::string_view line) {
   }
   if (row->run == nullptr) return {"ok", /*goodbye=*/true};
   return {one_line((this->*row->run)(text))};
+}
+
+std::string SteerCommands::unknown(std::string_view name) {
+  // Garbage is not repeated.
+  const bool is_word = name.size() <= 40 && std::ranges::all_of(name, [](unsigned char c) { return c > ' ' && c < 0x7f; });
+  if (!is_word) return "error there is no such command; help lists all";
+  std::vector<std::string> known;
+  for (const Row& command : rows()) known.emplace_back(command.name);
+  const std::string near = nearest(std::string(name), known);
+  return fmt::format("error there is no command '{}'; {}", name,
+                     near.empty() ? "help lists all" : fmt::format("the nearest is '{}'", near));
 }
 
 std::string SteerCommands::scheme(std::string_view text) { return outcome(steering_.set_scheme(text)); }

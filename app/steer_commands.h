@@ -32,6 +32,8 @@ class SteerCommands {
     std::string (SteerCommands::*run)(std::string_view text);
   };
   static std::span<const Row> rows();
+  /// The answer to a command that there is not.
+  static std::string unknown(std::string_view name);
 
   std::string scheme(std::string_view text);
   std::string boost(std::string_view text);

@@ -227,9 +227,44 @@ TEST(Options, UnknownOnesAreAnsweredWithTheNearest) {
   EXPECT_NE(complaint({"--no-such-option"}).find("--help"), std::string::npos);
   EXPECT_NE(complaint({"Widht=5"}).find("width"), std::string::npos);
   EXPECT_NE(complaint({"+NN"}).find("unknown option '+NN'"), std::string::npos);
-  EXPECT_NE(complaint({"--scheme=nonsense"}).find("contribution, level, ray-type, recursive"), std::string::npos);
+  EXPECT_NE(complaint({"--scheme=nonsense"}).find("known are contribution, "), std::string::npos);
   EXPECT_NE(parse({"scene.pov", "--stats"}).errors.at(0).find("expected a value"), std::string::npos);
   EXPECT_NE(complaint({"settings.ini"}).find("settings.ini"), std::string::npos);
+}
+
+TEST(Options, OursSayHowToRenderAndWhenToStop) {
+  for (const auto& words : {std::vector<std::string>{"--queue-memory", "16M", "--stop-at-error=0.01", "--stop-after",
+                                                     "2.5", "--steer", "s", "--boost", "light 0", "--boost=light 1"},
+                            std::vector<std::string>{"Queue_Memory=16M", "stop_at_error=0.01", "STOP_AFTER=2.5",
+                                                     "Steer=s", "Boost=light 0", "boost=light 1"}}) {
+    const Options options = good(words);
+    EXPECT_EQ(options.queue_memory, 16u << 20);
+    EXPECT_EQ(options.stop_at_error, 0.01);
+    EXPECT_EQ(options.stop_after, 2.5);
+    EXPECT_EQ(options.steer, "s");
+    EXPECT_EQ(options.boosts, (std::vector<std::string>{"light 0", "light 1"}));
+  }
+  EXPECT_EQ(good({}).queue_memory, 0u);
+  EXPECT_EQ(good({}).stop_at_error, 0.0);
+  EXPECT_EQ(good({}).stop_after, 0.0);
+}
+
+TEST(Options, ImpossibleWishesAreNamed) {
+  for (const char* word :
+       {"--queue-memory=x", "--queue-memory=0", "--queue-memory=1k", "--queue-memory=-1M", "--stop-at-error=0",
+        "--stop-at-error=-1", "--stop-at-error=inf", "--stop-at-error=nan", "--stop-at-error=x", "--stop-after=0",
+        "--stop-after=-2", "--stop-after=soon", "--quiet=perhaps"}) {
+    const std::string name = std::string(word).substr(0, std::string(word).find('='));
+    EXPECT_NE(complaint({word}).find(name), std::string::npos) << complaint({word});
+  }
+  EXPECT_NE(complaint({"--queue-memory=1k"}).find("at least"), std::string::npos);
+}
+
+TEST(Options, AWrongPlainSchemeIsNamedBeforeTheSceneIsRead) {
+  EXPECT_NE(complaint({"--scheme", "levl"}).find("no such scheme"), std::string::npos);
+  EXPECT_NE(complaint({"--scheme="}).find("--scheme"), std::string::npos);
+  // Whatever is more than a name needs the scene to be judged.
+  EXPECT_EQ(good({"--scheme", "nothing(1), of the kind"}).scheme, "nothing(1), of the kind");
 }
 
 TEST(Options, ASceneIsNeeded) { EXPECT_FALSE(parse({"+W10"}).errors.empty()); }
@@ -239,7 +274,8 @@ TEST(Options, HelpAndVersionWinOverMistakes) {
   EXPECT_EQ(parse({"--version"}).wish, CommandLine::Wish::version);
   EXPECT_TRUE(parse({"--version"}).errors.empty());
   for (const char* word :
-       {"--threads", "--scheme", "--stats", "--snapshots", "--front-end", "--quiet", "+Wn", "ray-type"}) {
+       {"--threads", "--scheme", "--boost", "--queue-memory", "--stop-at-error", "--stop-after", "--steer", "--stats",
+        "--snapshots", "--front-end", "--quiet", "+Wn", "ray-type", ".ini", "firstlight steer", "space"}) {
     EXPECT_NE(help_text().find(word), std::string::npos) << word;
   }
 }

@@ -1,36 +1,17 @@
 #include "app/stats.h"
 
-#include "app/progress.h"
+#include "tests/app/folder.h"
 
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
 #include <filesystem>
-#include <fstream>
 #include <iterator>
 
 namespace firstlight::app {
 namespace {
 
 namespace fs = std::filesystem;
-
-/// An empty folder of its own, gone at the end.
-struct Folder {
-  Folder()
-      : path(fs::path(testing::TempDir()) /
-             ("firstlight-" + std::to_string(::testing::UnitTest::GetInstance()->random_seed()) +
-              testing::UnitTest::GetInstance()->current_test_info()->name())) {
-    fs::remove_all(path);
-    fs::create_directories(path);
-  }
-  ~Folder() { fs::remove_all(path); }
-  const fs::path path;
-};
-
-std::string text_of(const fs::path& file) {
-  std::ifstream stream(file);
-  return {std::istreambuf_iterator<char>(stream), {}};
-}
 
 TEST(Stats, HoldEveryNumberUnderItsName) {
   Stats stats;
@@ -44,6 +25,11 @@ TEST(Stats, HoldEveryNumberUnderItsName) {
   stats.rays.rays.of(render::RayKind::shadow) = 7;
   stats.rays.peak_rays = 11;
   stats.rays.bytes_per_ray = 64;
+  stats.rays.remaining = 0.125;
+  stats.rays.rekeying.count = 3;
+  stats.end = priority::End::time_over;
+  stats.remaining_is_bound = false;
+  stats.queue_memory = 1000;
   const auto json = nlohmann::json::parse(to_json(stats));
   EXPECT_EQ(json["scheme"], "level");
   EXPECT_EQ(json["threads"], 2);
@@ -56,6 +42,12 @@ TEST(Stats, HoldEveryNumberUnderItsName) {
   EXPECT_EQ(json["rays"]["shadow"], 7);
   EXPECT_EQ(json["queue"]["peak_rays"], 11);
   EXPECT_EQ(json["queue"]["bytes_per_ray"], 64);
+  EXPECT_EQ(json["queue"]["memory"], 1000);
+  EXPECT_EQ(json["rekeying"]["count"], 3);
+  EXPECT_EQ(json["end"]["reason"], "time-over");
+  EXPECT_EQ(json["end"]["remaining"], 0.125);
+  EXPECT_EQ(json["end"]["remaining_is_bound"], false);
+  EXPECT_TRUE(json["time"]["preview_s"].is_null());
 }
 
 TEST(Stats, SurviveASceneNameThatIsNoText) {
@@ -78,17 +70,6 @@ TEST(WriteTextFile, SaysWhyItCannot) {
   EXPECT_NE(write_text_file((folder.path / "missing" / "a.json").string(), "one").find("missing"), std::string::npos);
   EXPECT_NE(write_text_file(folder.path.string(), "one"), "");
   EXPECT_TRUE(fs::is_empty(folder.path));
-}
-
-TEST(Progress, ShortFormsStayShort) {
-  EXPECT_EQ(short_count(0), "0");
-  EXPECT_EQ(short_count(9'999), "9999");
-  EXPECT_EQ(short_count(12'345), "12 k");
-  EXPECT_EQ(short_count(19'000'000), "19.0 M");
-  EXPECT_EQ(short_count(2'500'000'000), "2.50 G");
-  EXPECT_EQ(short_time(3.417), "3.42 s");
-  EXPECT_EQ(short_time(125.4), "2:05 min");
-  EXPECT_EQ(short_time(7380.0), "2:03 h");
 }
 
 }  // namespace
