@@ -12,6 +12,7 @@
 #include "app/progress.h"
 #include "app/snapshots.h"
 #include "app/stats.h"
+#include "parser/function_text.h"
 #include "parser/parser.h"
 #include "priority/driver.h"
 #include "priority/order.h"
@@ -135,7 +136,9 @@ int render_command(const Options& options, Clock::time_point start, const std::a
   if (loaded.scene == nullptr) return kExitFailure;
   const render::Scene& scene = *loaded.scene;
   stats.remaining_is_bound = render::RadianceBound(scene).known();
-  std::optional<priority::Order> order = read_order(options, {&scene, options.width, options.height}, problem);
+  render::Film film(options.width, options.height);
+  std::optional<priority::Order> order =
+      read_order(options, {&scene, options.width, options.height, parser::compile_text, &film}, problem);
   if (!order) return fail(problem);
 
   if (stop) return interrupted(start);
@@ -146,7 +149,6 @@ int render_command(const Options& options, Clock::time_point start, const std::a
   stats.build = seconds_between(build_begin, Clock::now());
 
   render::MediumTable media;
-  render::Film film(options.width, options.height);
   const auto write = [&](const std::string& file) -> std::string {
     if (file.empty() && !options.write_picture) return "no picture is to be written (-F)";
     return write_film(file.empty() ? picture : file, film, scene.settings);

@@ -21,10 +21,18 @@ Object parse_shape(Reader& reader, SceneContext& context, ShapeReader read, bool
   }
   Object object;
   object.shape = read(reader, word);
+  object.word = spelling(word.keyword);
   if (!object.shape) object = empty_object();
   object.patch = patch;
   parse_modifiers(reader, context, word, object);
   return object;
+}
+
+void add_name(Object& object, std::string_view name) {
+  // A loop that declares an object of itself again and again gives it the same name again and again.
+  if (!object.names.empty() && object.names.front() == name) return;
+  if (object.names.size() == Object::kMostNames) object.names.pop_back();
+  object.names.emplace(object.names.begin(), name);
 }
 
 /// `object { any object, modifiers }`
@@ -44,7 +52,7 @@ std::optional<Object> accept_declared_object(Reader& reader) {
   const auto declared = reader.accept_declared<Object>();
   if (!declared) return std::nullopt;
   Object object = *declared;
-  object.name = std::string(name.text);
+  add_name(object, name.text);
   return object;
 }
 

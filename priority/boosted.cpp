@@ -1,5 +1,6 @@
 #include "priority/boosted.h"
 
+#include "priority/object_names.h"
 #include "priority/pixels.h"
 #include "priority/stacked.h"
 
@@ -44,8 +45,8 @@ class Boosted final : public Scheme {
  public:
   Boosted(std::shared_ptr<const Scheme> base, const std::vector<Boost>& boosts, const SchemeInput& input)
       : base_(std::move(base)), pixels_(input), ranks_(boosts), keys_(ranks_.count(), base_->key_count()) {
-    const std::vector<std::string>& names = input.scene->object_names;
-    by_object_.resize(names.size());
+    const std::vector<render::ObjectGroup>& groups = input.scene->objects;
+    by_object_.resize(groups.size());
     by_light_.resize(input.scene->lights.size());
     for (const Boost& boost : boosts) {
       switch (boost.kind) {
@@ -53,8 +54,8 @@ class Boosted final : public Scheme {
           regions_.push_back({boost.region, boost.by});
           break;
         case Boost::Kind::object:
-          for (std::size_t i = 0; i < names.size(); ++i) {
-            if (names[i] == boost.object) by_object_[i] += boost.by;
+          for (std::size_t i = 0; i < groups.size(); ++i) {
+            if (is_called(groups[i], boost.object)) by_object_[i] += boost.by;
           }
           break;
         case Boost::Kind::light:
@@ -70,6 +71,7 @@ class Boosted final : public Scheme {
     for (std::size_t i = 0; i < tasks.size(); ++i) keys[i] = keys_.of(ranks_.of(sum_of(tasks[i])), keys[i]);
   }
   Key key_count() const override { return keys_.count(); }
+  bool tells_pixels_apart() const override { return !regions_.empty() || base_->tells_pixels_apart(); }
   void learn(std::span<const render::RayTask> tasks, std::span<const render::Contribution> light) const override {
     base_->learn(tasks, light);
   }

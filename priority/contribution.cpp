@@ -28,6 +28,7 @@ class Contribution final : public Scheme {
     }
   }
   Key key_count() const override { return kScale.count(); }
+  bool tells_pixels_apart() const override { return false; }
 
  private:
   static float most_at_stake(const render::RayTask& feelers) {

@@ -15,6 +15,7 @@ class Level final : public Scheme {
     for (std::size_t i = 0; i < tasks.size(); ++i) keys[i] = last_ - std::min<Key>(tasks[i].level, last_);
   }
   Key key_count() const override { return last_ + 1; }
+  bool tells_pixels_apart() const override { return false; }
 
  private:
   Key last_;  ///< level of the last rays

@@ -1,6 +1,7 @@
 #include "priority/order.h"
 
 #include "priority/boosted.h"
+#include "priority/object_names.h"
 #include "priority/schemes.h"
 
 #include <fmt/format.h>
@@ -71,8 +72,8 @@ std::string Order::problem_with(const Boost& boost) const {
       break;
     }
     case Boost::Kind::object: {
-      const std::vector<std::string_view> names(scene.object_names.begin(), scene.object_names.end());
-      if (boost.object.empty() || std::ranges::find(names, boost.object) == names.end()) {
+      const std::vector<std::string_view> names = object_words(scene);
+      if (!std::ranges::binary_search(names, boost.object)) {
         return fmt::format("the scene has no object '{}'{}", boost.object, nearest_hint(boost.object, names));
       }
       break;

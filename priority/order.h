@@ -26,7 +26,7 @@ struct Boost {
   std::string name;  ///< by which it is dropped again
   Kind kind = Kind::region;
   Rectangle region;    ///< of Kind::region
-  std::string object;  ///< of Kind::object: its SDL identifier
+  std::string object;  ///< of Kind::object: its SDL identifier, or the word for a kind of shape
   int light = 0;       ///< of Kind::light: index into Scene::lights
   int by = 1;          ///< boosts of a ray add up; a larger sum leaves first; may be negative
 };

@@ -22,8 +22,8 @@ class Scheme {
   virtual void keys(std::span<const render::RayTask> tasks, std::span<Key> keys) const = 0;
   /// How many keys there are; at most kBuckets, at least 1. Does not change.
   virtual Key key_count() const = 0;
-  /// Whether primary rays of different pixels may have different keys. A scheme that does not look at the pixel says no,
-  /// which saves asking for each of them.
+  /// Whether primary rays of different pixels may have different keys. A scheme that does not look at the pixel says
+  /// no, which saves asking for each of them.
   virtual bool tells_pixels_apart() const { return true; }
   /// Tells what came of tasks that were traced: light[i] is what tasks[i] changed.
   virtual void learn(std::span<const render::RayTask> /*tasks*/,

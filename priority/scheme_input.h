@@ -1,5 +1,6 @@
 #pragma once
 
+#include "render/film/film.h"
 #include "render/math/program.h"
 #include "render/scene/scene.h"
 
@@ -19,6 +20,8 @@ struct SchemeInput {
   int width = 0;  ///< pixels
   int height = 0;
   Compile compile = nullptr;  ///< empty: schemes with expressions are refused
+  /// Knows which pixels the samples of anti-aliasing belong to; may be null.
+  const render::Film* film = nullptr;
 };
 
 }  // namespace firstlight::priority

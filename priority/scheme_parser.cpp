@@ -81,7 +81,13 @@ class Parser {
       has_recursive_ = true;
       return nullptr;
     }
-    if (!text_.next_is('(')) return row->make(input_, nullptr);
+    if (!text_.next_is('(')) {
+      try {
+        return row->make(input_, nullptr);
+      } catch (const MissingArguments& missing) {
+        text_.fail(name, fmt::format("'{}' needs {}", name.text, missing.what));
+      }
+    }
     if (row->arguments.empty()) text_.fail(text_.next(), fmt::format("'{}' takes no arguments", name.text));
     text_.accept('(');
     SchemePtr scheme = row->make(input_, &text_);

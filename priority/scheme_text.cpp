@@ -133,24 +133,24 @@ void SchemeText::fail_expected(std::string_view what) {
                           found.text.empty() ? std::string("the end") : fmt::format("'{}'", found.text)));
 }
 
-std::vector<std::uint32_t> read_ranks(SchemeText& text, std::string_view what,
-                                      std::span<const std::string_view> words) {
+Ranks read_ranks(SchemeText& text, std::string_view what, std::span<const std::string_view> words) {
   const auto unnamed = static_cast<std::uint32_t>(words.size());
-  std::vector<std::uint32_t> ranks(words.size(), unnamed);
-  std::uint32_t rank = 0;
-  while (!text.next_is(')')) {
+  Ranks ranks;
+  ranks.of.assign(words.size(), unnamed);
+  do {
     const Piece word = text.identifier(what);
     const auto found = std::ranges::find(words, word.text);
     if (found == words.end()) {
       text.fail(word, fmt::format("expected {}, found '{}'; there are {}", what, word.text, fmt::join(words, ", ")));
     }
-    std::uint32_t& place = ranks[static_cast<std::size_t>(found - words.begin())];
+    std::uint32_t& place = ranks.of[static_cast<std::size_t>(found - words.begin())];
     if (place != unnamed) text.fail(word, fmt::format("'{}' is named twice", word.text));
-    place = rank++;
+    place = ranks.named++;
     text.accept(',');
-  }
-  for (std::uint32_t& place : ranks) {
-    if (place == unnamed) place = rank++;
+  } while (!text.next_is(')') && !text.at_end());
+  std::uint32_t next = ranks.named;
+  for (std::uint32_t& place : ranks.of) {
+    if (place == unnamed) place = next++;
   }
   return ranks;
 }

@@ -17,6 +17,11 @@ struct SchemeError {
   std::string message;
 };
 
+/// A scheme that cannot be without arguments has none; `what` they should be. Thrown by its maker.
+struct MissingArguments {
+  std::string what;
+};
+
 /// A piece of the text of a scheme.
 struct Piece {
   std::string_view text;
@@ -58,9 +63,13 @@ class SchemeText {
   std::size_t at_ = 0;
 };
 
-/// A list of words of which each may be named once, as in `ray-type(reflection shadow)`: the place of each in the order
-/// that the user wants, the words that are not named behind the others, in the order of `words`.
-std::vector<std::uint32_t> read_ranks(SchemeText& text, std::string_view what, std::span<const std::string_view> words);
+/// The order that a user wants some words in.
+struct Ranks {
+  std::vector<std::uint32_t> of;  ///< the place of each word, from 0; those not named come behind the others
+  std::uint32_t named = 0;
+};
+/// A list of some of `words`, of which each may be named once, as in `ray-type(reflection shadow)`.
+Ranks read_ranks(SchemeText& text, std::string_view what, std::span<const std::string_view> words);
 
 /// " (the nearest is 'contribution')", or nothing when none of `known` is near.
 std::string nearest_hint(std::string_view word, std::span<const std::string_view> known);

@@ -20,7 +20,7 @@ struct SchemeRow {
   std::string_view arguments;  ///< as they are written behind the name; empty: it takes none
   std::string_view example;    ///< text of an order that works with every scene
   /// Null: the traditional order, pixel by pixel and depth first, without a queue. `arguments`: behind their opening
-  /// parenthesis; null: none were given. Throws SchemeError.
+  /// parenthesis; null: none were given. Throws SchemeError and MissingArguments.
   SchemePtr (*make)(const SchemeInput& input, SchemeText* arguments);
 };
 
@@ -37,7 +37,17 @@ std::string scheme_names();
 SchemePtr parse_scheme(std::string_view text, const SchemeInput& input);
 
 SchemePtr make_contribution(const SchemeInput& input, SchemeText* arguments);
+SchemePtr make_complexity(const SchemeInput& input, SchemeText* arguments);
+SchemePtr make_distance(const SchemeInput& input, SchemeText* arguments);
+SchemePtr make_expression(const SchemeInput& input, SchemeText* arguments);
 SchemePtr make_level(const SchemeInput& input, SchemeText* arguments);
+SchemePtr make_light(const SchemeInput& input, SchemeText* arguments);
+SchemePtr make_light_colour(const SchemeInput& input, SchemeText* arguments);
+SchemePtr make_light_distance(const SchemeInput& input, SchemeText* arguments);
+SchemePtr make_object(const SchemeInput& input, SchemeText* arguments);
 SchemePtr make_ray_type(const SchemeInput& input, SchemeText* arguments);
+SchemePtr make_region(const SchemeInput& input, SchemeText* arguments);
+SchemePtr make_sample(const SchemeInput& input, SchemeText* arguments);
+SchemePtr make_surface(const SchemeInput& input, SchemeText* arguments);
 
 }  // namespace firstlight::priority

@@ -1,5 +1,6 @@
 #include "app/study/command.h"
 
+#include "app/antialias.h"
 #include "app/front_ends.h"
 #include "app/load_scene.h"
 #include "app/progress.h"
@@ -7,6 +8,7 @@
 #include "app/study/measure.h"
 #include "app/study/options.h"
 #include "app/study/report_folder.h"
+#include "parser/function_text.h"
 #include "parser/parser.h"
 #include "priority/order.h"
 #include "render/scene/file_encoding.h"
@@ -52,12 +54,21 @@ std::string command_text(std::span<const std::string> arguments) {
 /// Fills plan.schemes. Empty, or what is wrong with one of the texts.
 std::string choose_schemes(const StudyOptions& options, StudyPlan& plan) {
   const std::vector<std::string> texts = options.schemes.empty() ? all_study_schemes() : options.schemes;
-  const priority::SchemeInput input{.scene = plan.scene, .width = plan.width, .height = plan.height};
+  priority::SchemeInput input;
+  input.scene = plan.scene;
+  input.width = plan.width;
+  input.height = plan.height;
+  input.compile = parser::compile_text;
   for (const std::string& text : texts) {
     std::string problem;
     const auto order = priority::Order::parse(text, input, problem);
     if (!order) return fmt::format("scheme '{}': {}", text, problem);
-    plan.schemes.push_back({text, order->scheme()});
+    plan.schemes.push_back({text, [text, input](const render::Film& film) {
+                              priority::SchemeInput own = input;
+                              own.film = &film;
+                              std::string none;
+                              return priority::Order::parse(text, own, none)->scheme();
+                            }});
   }
   return {};
 }
@@ -101,7 +112,7 @@ int study_command(std::span<const std::string> arguments, const std::atomic<bool
   plan.threads =
       options.threads > 0 ? options.threads : static_cast<int>(std::max(1u, std::thread::hardware_concurrency()));
   plan.queue_memory = options.queue_memory;
-  plan.antialias = options.antialias;
+  plan.antialias = antialias_of(options, plan.scene->settings);
   plan.rounds = line.options.rounds;
   plan.stop = &stop;
   plan.say = [&](const std::string& what) { progress.stage(what); };

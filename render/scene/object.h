@@ -6,10 +6,12 @@
 #include "render/texture/interior.h"
 #include "render/texture/texture.h"
 
+#include <cstddef>
 #include <cstdint>
 #include <memory>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace firstlight::render {
@@ -21,10 +23,10 @@ struct Object {
   enum class Kind { shape, light, union_, intersection, merge };
 
   Kind kind = Kind::shape;
-  ShapePtr shape;                                       ///< of Kind::shape; its space is this object's
-  Light light;                                          ///< of Kind::light
-  std::shared_ptr<const std::vector<Object>> children;  ///< of the combining kinds (a difference is an intersection
-                                                        ///< with inverted further children)
+  ShapePtr shape;                                         ///< of Kind::shape; its space is this object's
+  Light light;                                            ///< of Kind::light
+  std::shared_ptr<const std::vector<Object>> children;    ///< of the combining kinds (a difference is an intersection
+                                                          ///< with inverted further children)
   std::shared_ptr<const std::vector<Object>> clipped_by;  ///< points of the surface outside any of these are cut away
   std::shared_ptr<const std::vector<Object>> bounded_by;  ///< rays that miss any of these miss the object
   bool bounds_are_clips = false;                          ///< bounded_by { clipped_by }
@@ -52,7 +54,12 @@ struct Object {
   std::uint64_t size = 1;   ///< objects in it, itself among them, each as often as it occurs
   bool textured = false;    ///< it or something in it has a texture of its own
   bool patch = false;       ///< it or something in it is a surface without an inside, such as a triangle
-  std::string name;         ///< identifier it was declared under, for choosing objects by name; may be empty
+  /// Identifiers it was declared under, for choosing objects by name, the outermost first: `#declare A = object { B }`
+  /// makes {"A", "B"} of both. At most kMostNames.
+  std::vector<std::string> names;
+  std::string_view word;  ///< of Kind::shape: the word of the scene language that made it; static text
+
+  static constexpr std::size_t kMostNames = 8;
 };
 
 /// Moves the object on, with its textures.

@@ -3,6 +3,7 @@
 #include "render/camera/camera.h"
 #include "render/light/light.h"
 #include "render/math/color.h"
+#include "render/scene/object_group.h"
 #include "render/scene/solid.h"
 #include "render/shape/shape.h"
 #include "render/texture/interior.h"
@@ -28,7 +29,7 @@ struct Part {
   std::uint32_t texture = kNoIndex;           ///< into Scene::textures; kNoIndex: takes the light but gives none
   std::uint32_t interior_texture = kNoIndex;  ///< seen against the normal; kNoIndex: as `texture`
   std::uint32_t interior = 0;                 ///< into Scene::interiors; equal for all parts of one piece of matter
-  std::uint32_t object = 0;                   ///< into Scene::object_names: the top-level object it belongs to
+  std::uint32_t object = 0;                   ///< into Scene::objects: what a user may call it
   bool opaque = false;                        ///< no light passes, from either side
   bool inverted = false;
   bool double_illuminate = false;
@@ -64,7 +65,8 @@ struct Scene {
   std::vector<Part> parts;
   std::vector<PlacedTexture> textures;
   std::vector<Interior> interiors;
-  std::vector<std::string> object_names;  ///< SDL identifiers of top-level objects, may be empty strings
+  std::vector<ObjectGroup> objects;
+  std::vector<std::vector<std::string>> light_names;  ///< SDL identifiers of each light, the outermost first
 };
 
 }  // namespace firstlight::render

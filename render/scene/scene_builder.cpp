@@ -1,5 +1,6 @@
 #include "render/scene/scene_builder.h"
 
+#include "render/scene/object_table.h"
 #include "render/scene/texture_table.h"
 
 #include <algorithm>
@@ -16,6 +17,7 @@ struct Inherited {
   std::uint32_t texture = kNoIndex;
   std::uint32_t interior_texture = kNoIndex;
   std::uint32_t interior = kNoIndex;
+  ObjectTable::Names names = 0;
   std::uint8_t hidden_from = 0;
   bool inverted = false;
   bool double_illuminate = false;
@@ -101,15 +103,17 @@ std::optional<Solid> region(const Object& object, const Transform& to_world, boo
 struct SceneBuilder::State {
   std::unique_ptr<Scene> scene = std::make_unique<Scene>();
   TextureTable textures;
+  ObjectTable objects;
   TexturePtr default_texture;  ///< of the object that is being added
   std::uint32_t matter = 0;    ///< of that object: the interior that its topmost node will make
+  std::uint64_t size = 1;      ///< of the top-level solid at hand
   bool has_camera = false;
 
   Inherited at_node(const Object& object, const Inherited& parent);
   void promote_finish(std::uint32_t texture, std::uint32_t interior);
   void link(const Object& object, const Inherited& parent);
   std::optional<Solid> freeze(const Object& object, const Inherited& parent, bool top_level);
-  void add_part(Solid& solid, const Inherited& leaf);
+  void add_part(Solid& solid, const Object& object, const Inherited& leaf);
   void order_solids();
 };
 
@@ -133,6 +137,7 @@ Inherited SceneBuilder::State::at_node(const Object& object, const Inherited& pa
   }
   if (node.texture != kNoIndex) promote_finish(node.texture, node.interior);
   node.hidden_from |= hidden_bits(object);
+  node.names = objects.within(parent.names, object.names);
   node.inverted = parent.inverted != object.inverted;
   node.double_illuminate |= object.double_illuminate;
   return node;
@@ -163,6 +168,7 @@ void SceneBuilder::State::link(const Object& object, const Inherited& parent) {
     for (const Object& child : *object.children) link(child, node);
     return;
   }
+  size = object.size;
   std::optional<Solid> solid = freeze(object, parent, true);
   if (!solid || !has_surface(*solid)) return;
   solid->matter = matter;
@@ -173,6 +179,7 @@ void SceneBuilder::State::link(const Object& object, const Inherited& parent) {
 std::optional<Solid> SceneBuilder::State::freeze(const Object& object, const Inherited& parent, bool top_level) {
   if (object.kind == Object::Kind::light) {
     scene->lights.push_back(placed(object.light, object.placement.then(parent.to_world)));
+    scene->light_names.push_back(objects.names_of(objects.within(parent.names, object.names)));
     return std::nullopt;
   }
   if (object.kind == Object::Kind::shape && !object.shape) return std::nullopt;
@@ -182,7 +189,7 @@ std::optional<Solid> SceneBuilder::State::freeze(const Object& object, const Inh
   solid.hidden_from = node.hidden_from;
   if (object.kind == Object::Kind::shape) {
     solid.shape = placed_shape(object, node.to_world, node.inverted);
-    add_part(solid, node);
+    add_part(solid, object, node);
   } else if (object.children) {
     solid.members.reserve(object.children->size());
     for (const Object& child : *object.children) {
@@ -196,15 +203,16 @@ std::optional<Solid> SceneBuilder::State::freeze(const Object& object, const Inh
   return solid;
 }
 
-void SceneBuilder::State::add_part(Solid& solid, const Inherited& leaf) {
+void SceneBuilder::State::add_part(Solid& solid, const Object& object, const Inherited& leaf) {
   Part part;
   part.shape = solid.shape;
   part.texture = leaf.texture;
   part.interior_texture = leaf.interior_texture;
   part.interior = leaf.interior;
-  part.object = static_cast<std::uint32_t>(scene->object_names.size() - 1);
   part.opaque = leaf.texture != kNoIndex && textures.opaque(leaf.texture) &&
                 (leaf.interior_texture == kNoIndex || textures.opaque(leaf.interior_texture));
+  const SurfaceKind surface = leaf.texture == kNoIndex ? SurfaceKind::plain : textures.kind(leaf.texture);
+  part.object = objects.group(leaf.names, object.word, surface, size);
   part.inverted = leaf.inverted;
   part.double_illuminate = leaf.double_illuminate;
   solid.part = static_cast<std::uint32_t>(scene->parts.size());
@@ -240,7 +248,6 @@ const Settings& SceneBuilder::settings() const { return state_->scene->settings;
 void SceneBuilder::add(Object object, TexturePtr default_texture) {
   state_->default_texture = std::move(default_texture);
   state_->matter = static_cast<std::uint32_t>(state_->scene->interiors.size());
-  state_->scene->object_names.push_back(std::move(object.name));
   state_->link(object, Inherited());
 }
 
@@ -249,6 +256,7 @@ std::size_t SceneBuilder::object_count() const { return state_->scene->solids.si
 std::unique_ptr<const Scene> SceneBuilder::build() {
   state_->order_solids();
   state_->scene->textures = state_->textures.take();
+  state_->scene->objects = state_->objects.take();
   std::unique_ptr<const Scene> scene = std::move(state_->scene);
   state_ = std::make_unique<State>();
   return scene;

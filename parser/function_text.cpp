@@ -1,0 +1,43 @@
+#include "parser/function_text.h"
+
+#include "parser/function_compiler.h"
+#include "parser/lexer.h"
+#include "parser/syntax_error.h"
+
+#include <algorithm>
+
+namespace firstlight::parser {
+
+namespace {
+
+render::CompileResult failure(std::string message, std::size_t column, std::size_t length) {
+  render::CompileResult result;
+  result.error = std::move(message);
+  result.at = column > 0 ? column - 1 : 0;
+  result.length = std::max<std::size_t>(length, 1);
+  return result;
+}
+
+}  // namespace
+
+render::CompileResult compile_text(std::string_view text, std::span<const std::string_view> parameters) {
+  SourceFile source;
+  source.name = "expression";
+  source.text = text;
+  // One line, so that columns are places in the text.
+  std::ranges::replace_if(
+      source.text, [](char c) { return c == '\n' || c == '\r'; }, ' ');
+  source.line_starts = {0};
+  try {
+    Symbols symbols;
+    const TokenFile file = tokenize(source, symbols);
+    return {compile_function(file.tokens, {parameters, nullptr}), {}, 0, 1};
+  } catch (const FunctionError& error) {
+    return failure(error.message, error.at.column, error.at.length);
+  } catch (const SyntaxError& error) {
+    const render::Diagnostic& first = error.diagnostics.front();
+    return failure(first.message, first.column, first.length);
+  }
+}
+
+}  // namespace firstlight::parser

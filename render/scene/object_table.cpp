@@ -1,0 +1,40 @@
+#include "render/scene/object_table.h"
+
+#include <algorithm>
+#include <bit>
+
+namespace firstlight::render {
+
+ObjectTable::Names ObjectTable::within(Names outer, std::span<const std::string> names) {
+  for (const std::string& name : names) {
+    const auto [way, is_new] = ways_.try_emplace({outer, name}, static_cast<Names>(steps_.size()));
+    if (is_new) steps_.push_back({outer, name});
+    outer = way->second;
+  }
+  return outer;
+}
+
+std::vector<std::string> ObjectTable::names_of(Names way) const {
+  std::vector<std::string> names;
+  for (; way != 0; way = steps_[way].outer) names.push_back(steps_[way].name);
+  std::ranges::reverse(names);
+  return names;
+}
+
+std::uint32_t ObjectTable::group(Names names, std::string_view shape, SurfaceKind surface, std::uint64_t size) {
+  auto word = shapes_.find(shape);
+  if (word == shapes_.end()) word = shapes_.emplace(shape, static_cast<std::uint32_t>(shapes_.size())).first;
+  const Key key{names, word->second, surface, static_cast<std::uint8_t>(std::bit_width(size))};
+  if (const auto found = numbers_.find(key); found != numbers_.end()) return found->second;
+  const auto number = static_cast<std::uint32_t>(groups_.size());
+  if (number == kMostObjectGroups) return number - 1;
+  if (number + 1 == kMostObjectGroups) {
+    groups_.emplace_back();
+    return number;
+  }
+  groups_.push_back({names_of(names), std::string(shape), surface, key.complexity});
+  numbers_.emplace(key, number);
+  return number;
+}
+
+}  // namespace firstlight::render
