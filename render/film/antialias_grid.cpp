@@ -54,7 +54,9 @@ std::span<const SamplePoint> GridSampling::next() {
     if (wanted_end_ == wanted_.size()) decide();
     ask_for_grids();
   }
-  return round_.begin();
+  const std::span<const SamplePoint> points = round_.begin();
+  if (asked_ == Asked::grids) show_grids();
+  return points;
 }
 
 void GridSampling::ask_for_edge() {
@@ -76,12 +78,20 @@ void GridSampling::ask_for_grids() {
   wanted_begin_ = wanted_end_;
   const std::size_t count = offsets_.size() * offsets_.size();
   for (; wanted_end_ < wanted_.size() && round_.has_room(count); ++wanted_end_) {
-    const std::uint32_t pixel = wanted_[wanted_end_];
+    const std::uint32_t pixel = wanted_[wanted_end_].pixel;
     const double x = pixel % static_cast<std::uint32_t>(film_.width());
     const double y = pixel / static_cast<std::uint32_t>(film_.width());
     for (const double dy : offsets_) {
       for (const double dx : offsets_) round_.add(jitter_.move({x + dx, y + dy}), pixel);
     }
+  }
+}
+
+void GridSampling::show_grids() {
+  const auto count = static_cast<std::uint32_t>(offsets_.size() * offsets_.size());
+  std::uint32_t first = film_.pixels();
+  for (std::size_t i = wanted_begin_; i < wanted_end_; ++i, first += count) {
+    if (wanted_[i].sure) film_.average(wanted_[i].pixel, first, count);
   }
 }
 
@@ -94,11 +104,12 @@ void GridSampling::collect() {
   const std::size_t count = offsets_.size() * offsets_.size();
   std::uint32_t sample = 0;
   for (std::size_t i = wanted_begin_; i < wanted_end_; ++i) {
-    const std::uint32_t pixel = wanted_[i];
+    const auto [pixel, sure] = wanted_[i];
     Rgb sum = film_.sample_color(pixel);
     for (std::size_t k = 0; k < count; ++k) sum += round_.color(sample++);
     supersampled_[pixel] = mean_of(sum, static_cast<double>(count + 1));
     has_grid_[pixel] = true;
+    if (sure) film_.refine(pixel, supersampled_[pixel], 0.0f);
   }
 }
 
@@ -179,7 +190,8 @@ bool GridSampling::decide(const Block& block, bool guess) {
         film_.refine(pixel, supersampled_[pixel], 0.0f);
       } else {
         decided = false;
-        if (!has_grid_[pixel] && (answer == Answer::yes || guess)) wanted_.push_back(pixel);
+        const bool sure = answer == Answer::yes;
+        if (!has_grid_[pixel] && (sure || guess)) wanted_.push_back({pixel, sure});
       }
     }
   }

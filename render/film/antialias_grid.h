@@ -30,6 +30,10 @@ class GridSampling final : public Antialiasing::Method {
     int right;
     int bottom;
   };
+  struct Wanted {
+    std::uint32_t pixel;
+    bool sure;  ///< the pixel will have this grid; else it may
+  };
   enum class Answer : std::uint8_t { no, yes, unknown };
   enum class Asked : std::uint8_t { nothing, edge, grids };
 
@@ -37,6 +41,8 @@ class GridSampling final : public Antialiasing::Method {
   void collect();
   void ask_for_edge();
   void ask_for_grids();
+  /// Lets the film show the round's grids as they grow.
+  void show_grids();
   void decide();
   /// Returns true when nothing is unknown. `guess`: ask for all grids that may be needed.
   bool decide(const Block& block, bool guess);
@@ -50,14 +56,14 @@ class GridSampling final : public Antialiasing::Method {
   Contrast contrast_;
   Jitter jitter_;
   SampleRound round_;
-  std::vector<double> offsets_;        ///< of the grid's columns, and of its rows, from the middle of the pixel
-  std::vector<Rgb> edge_;              ///< just outside: the row above the picture, then the column on its left
-  std::size_t edge_asked_ = 0;         ///< how many of them are traced or asked for
-  std::vector<Rgb> supersampled_;      ///< by pixel
-  std::vector<bool> has_grid_;         ///< by pixel: the above is there
-  std::vector<Block> blocks_;          ///< still undecided
-  std::vector<std::uint32_t> wanted_;  ///< pixels whose grids are to be traced
-  std::size_t wanted_begin_ = 0;       ///< of the round at hand
+  std::vector<double> offsets_;    ///< of the grid's columns, and of its rows, from the middle of the pixel
+  std::vector<Rgb> edge_;          ///< just outside: the row above the picture, then the column on its left
+  std::size_t edge_asked_ = 0;     ///< how many of them are traced or asked for
+  std::vector<Rgb> supersampled_;  ///< by pixel
+  std::vector<bool> has_grid_;     ///< by pixel: the above is there
+  std::vector<Block> blocks_;      ///< still undecided
+  std::vector<Wanted> wanted_;     ///< whose grids are to be traced
+  std::size_t wanted_begin_ = 0;   ///< of the round at hand
   std::size_t wanted_end_ = 0;
   int decisions_ = 0;
   Asked asked_ = Asked::nothing;

@@ -58,8 +58,17 @@ void Film::add_by_stripes(std::span<const Contribution> contributions) {
 }
 
 Rgb Film::color(int x, int y) const {
-  const std::size_t pixel = index(x, y);
-  return state(pixel) == State::refined ? refined_[pixel].color() : sample_color(static_cast<std::uint32_t>(pixel));
+  const auto pixel = static_cast<std::uint32_t>(index(x, y));
+  switch (state(pixel)) {
+    case State::averaged:
+      return mean_so_far(pixel);
+    case State::refined:
+      return refined_[pixel].color();
+    case State::first_sample:
+    case State::undecided:
+      break;
+  }
+  return sample_color(pixel);
 }
 
 Rgb Film::sample_color(std::uint32_t sample) const {
@@ -70,23 +79,55 @@ Rgb Film::sample_color(std::uint32_t sample) const {
 }
 
 double Film::outstanding(int x, int y) const {
-  const std::size_t pixel = index(x, y);
-  const Sample& sample = samples_[pixel];
+  const auto pixel = static_cast<std::uint32_t>(index(x, y));
   switch (state(pixel)) {
+    case State::undecided:
+      return most_change(sample_color(pixel));
+    case State::averaged:
+      return most_change_of_mean(pixel);
+    case State::refined:
+      return open_share(pixel) * (FixedRgb::to_double(most_) - FixedRgb::to_double(least_));
     case State::first_sample:
       break;
-    case State::undecided: {
-      // The pixel will be a mean of samples, of which all that is known is where they can end.
-      const auto [low, high] =
-          std::minmax({sample.r.load(std::memory_order_relaxed), sample.g.load(std::memory_order_relaxed),
-                       sample.b.load(std::memory_order_relaxed)});
-      return std::max(FixedRgb::to_double(most_) - FixedRgb::to_double(low),
-                      FixedRgb::to_double(high) - FixedRgb::to_double(least_));
-    }
-    case State::refined:
-      return open_share(static_cast<std::uint32_t>(pixel)) * (FixedRgb::to_double(most_) - FixedRgb::to_double(least_));
   }
-  return FixedRgb::to_double(sample.outstanding.load(std::memory_order_relaxed));
+  return FixedRgb::to_double(samples_[pixel].outstanding.load(std::memory_order_relaxed));
+}
+
+double Film::most_change(const Rgb& color) const {
+  const auto [low, high] = std::minmax({color.x, color.y, color.z});
+  return std::max(FixedRgb::to_double(most_) - static_cast<double>(low),
+                  static_cast<double>(high) - FixedRgb::to_double(least_));
+}
+
+Rgb Film::mean_so_far(std::uint32_t pixel) const {
+  Rgb sum = sample_color(pixel);
+  int count = 1;
+  const std::uint32_t first = first_of_mean_[pixel];
+  const std::uint32_t samples = count_of_mean_.load(std::memory_order_relaxed);
+  for (std::uint32_t sample = first; sample < first + samples; ++sample) {
+    if (samples_[sample].outstanding.load(std::memory_order_relaxed) != 0) continue;
+    sum += sample_color(sample);
+    ++count;
+  }
+  // In single precision, the division in double precision, as POV-Ray does.
+  const auto share = [count](float channel) { return static_cast<float>(static_cast<double>(channel) / count); };
+  return {share(sum.x), share(sum.y), share(sum.z)};
+}
+
+double Film::most_change_of_mean(std::uint32_t pixel) const {
+  std::int64_t outstanding = 0;
+  Rgb sum = sample_color(pixel);
+  const std::uint32_t first = first_of_mean_[pixel];
+  const std::uint32_t samples = count_of_mean_.load(std::memory_order_relaxed);
+  for (std::uint32_t sample = first; sample < first + samples; ++sample) {
+    outstanding = FixedRgb::sum(outstanding, samples_[sample].outstanding.load(std::memory_order_relaxed));
+    sum += sample_color(sample);
+  }
+  if (outstanding == 0) return 0.0;
+  const double count = samples + 1.0;
+  const Rgb color = mean_so_far(pixel);
+  const double to_mean = max_magnitude(color - sum / static_cast<float>(count));
+  return std::min(to_mean + FixedRgb::to_double(outstanding) / count, most_change(color));
 }
 
 std::vector<Rgb> Film::snapshot() const {
@@ -105,6 +146,7 @@ void Film::begin_refinement(std::uint32_t room) {
   states_ = std::vector<std::atomic<State>>(pixels);
   for (std::atomic<State>& state : states_) state.store(State::undecided, std::memory_order_relaxed);
   refined_ = std::vector<Refined>(pixels);
+  first_of_mean_.resize(pixels);
   pixel_of_more_.resize(room);
   expect(most_, least_);
 }
@@ -119,6 +161,12 @@ void Film::begin_samples(std::span<const std::uint32_t> pixels) {
 }
 
 void Film::settle(std::uint32_t pixel) { states_[pixel].store(State::first_sample, std::memory_order_release); }
+
+void Film::average(std::uint32_t pixel, std::uint32_t first, std::uint32_t count) {
+  first_of_mean_[pixel] = first;
+  count_of_mean_.store(count, std::memory_order_relaxed);
+  states_[pixel].store(State::averaged, std::memory_order_release);
+}
 
 void Film::refine(std::uint32_t pixel, const Rgb& color, float open) {
   Refined& refined = refined_[pixel];

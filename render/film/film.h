@@ -16,7 +16,7 @@ namespace firstlight::render {
 ///
 /// Samples  The first of each pixel are numbered along the rows from the top; what lies beyond them is anti-aliasing's.
 /// Order    The sums do not depend on the order or the grouping of add() calls, bit for bit.
-/// Memory   33 bytes a sample; with anti-aliasing 17 more a pixel, and 36 for each sample there is room for.
+/// Memory   33 bytes a sample; with anti-aliasing 21 more a pixel, and 36 for each sample there is room for.
 /// Threads  add(), mark_lit() and all that read may be called from any thread; a reader may see some of a batch's
 ///          contributions and not others. The rest: one thread, while nobody adds.
 class Film {
@@ -53,8 +53,8 @@ class Film {
   }
 
   // ---- For anti-aliasing
-  /// From now on no pixel is complete before settle() or refine() says so. Makes room for `room` samples beyond the
-  /// pixels; throws std::bad_alloc. Pre: nothing has been added.
+  /// From now on no pixel is complete before one of the functions below says so. Makes room for `room` samples beyond
+  /// the pixels; throws std::bad_alloc. Pre: nothing has been added.
   void begin_refinement(std::uint32_t room);
   /// The samples beyond the pixels begin anew: one for each of `pixels`, to which they belong, numbered from pixels().
   /// Pre: no more than there is room for.
@@ -64,6 +64,9 @@ class Film {
   void settle(std::uint32_t pixel);
   /// The pixel has a colour of several samples; `open`, of 1, is the share of it that still changes.
   void refine(std::uint32_t pixel, const Rgb& color, float open);
+  /// The pixel will be the mean of its first sample and `count` samples from `first` on, and is meanwhile that of those
+  /// that are complete. Pre: `count` is the same for all pixels, and more than 0.
+  void average(std::uint32_t pixel, std::uint32_t first, std::uint32_t count);
   Rgb refined_color(std::uint32_t pixel) const { return refined_[pixel].color(); }
   float open_share(std::uint32_t pixel) const { return refined_[pixel].open.load(std::memory_order_relaxed); }
 
@@ -74,7 +77,7 @@ class Film {
     std::atomic<std::int64_t> b = 0;
     std::atomic<std::int64_t> outstanding = 0;
   };
-  enum class State : std::uint8_t { first_sample, undecided, refined };
+  enum class State : std::uint8_t { first_sample, undecided, averaged, refined };
   struct Refined {
     std::atomic<float> r = 0.0f;
     std::atomic<float> g = 0.0f;
@@ -103,6 +106,11 @@ class Film {
     return states_.empty() ? State::first_sample : states_[pixel].load(std::memory_order_acquire);
   }
 
+  /// The most that a mean of samples can be away from `color` in any channel, if nothing is known of them.
+  double most_change(const Rgb& color) const;
+  Rgb mean_so_far(std::uint32_t pixel) const;
+  double most_change_of_mean(std::uint32_t pixel) const;
+
   int width_;
   int height_;
   std::vector<Sample> samples_;
@@ -113,6 +121,8 @@ class Film {
   // Of anti-aliasing; empty without it.
   std::vector<std::atomic<State>> states_;
   std::vector<Refined> refined_;
+  std::vector<std::uint32_t> first_of_mean_;
+  std::atomic<std::uint32_t> count_of_mean_ = 0;
   std::vector<std::uint32_t> pixel_of_more_;
 };
 

@@ -16,7 +16,7 @@ class Jitter {
  public:
   /// `cells`: as many parts as the side of a pixel is cut into.
   Jitter(const AntialiasSettings& settings, int cells)
-      : scale_(settings.jitter ? static_cast<float>(settings.jitter_amount) / cells : 0.0) {}
+      : scale_(settings.jitter ? static_cast<double>(static_cast<float>(settings.jitter_amount)) / cells : 0.0) {}
 
   PicturePoint move(const PicturePoint& place) const;
 

@@ -64,9 +64,9 @@ struct Development {
   Film film;
   std::vector<std::size_t> rounds;  ///< samples of each
 
-  /// `after_round` is called with the film when the samples of a round are complete.
+  /// `look` is called with the film when a third of a round is complete, and another, and all of it.
   Development(const AntialiasSettings& settings, const Painting& painting, int width, int height,
-              const std::function<void(const Film&)>& after_round = {})
+              const std::function<void(const Film&)>& look = {})
       : film(width, height) {
     const std::int64_t most = FixedRgb::from(Rgb(2.0f)).r;
     film.expect(most);
@@ -80,8 +80,11 @@ struct Development {
     }
     std::span<const SamplePoint> points = first;
     while (!points.empty()) {
-      expose(film, painting, points, most);
-      if (after_round) after_round(film);
+      for (std::size_t third = 0; third < 3; ++third) {
+        const std::size_t begin = points.size() * third / 3;
+        expose(film, painting, points.subspan(begin, points.size() * (third + 1) / 3 - begin), most);
+        if (look) look(film);
+      }
       points = antialiasing.next();
       if (!points.empty()) rounds.push_back(points.size());
     }

@@ -90,6 +90,29 @@ TEST(Film, WithAntiAliasingAPixelIsCompleteOnlyWhenSaidSo) {
   EXPECT_EQ(film.sample_color(1), Rgb(0.5f));
 }
 
+TEST(Film, APixelInRefinementShowsTheMeanOfWhatIsComplete) {
+  Film film(1, 1);
+  const std::int64_t most = FixedRgb::from(Rgb(2.0f)).r;
+  film.expect(most, 0);
+  film.begin_refinement(2);
+  film.add(std::vector<Contribution>{{0, FixedRgb::from(Rgb(1.0f)), -most}}, true);
+  film.begin_samples(std::vector<std::uint32_t>{0, 0});
+  film.average(0, 1, 2);
+  EXPECT_EQ(film.color(0, 0), Rgb(1.0f));
+  EXPECT_EQ(film.outstanding(0, 0), 1.0);
+  film.add(std::vector<Contribution>{{1, FixedRgb::from(Rgb(0.5f)), -most}}, true);
+  EXPECT_EQ(film.color(0, 0), Rgb(0.75f));
+  // The third sample ends between 0 and 2, and so the mean between 1.5 / 3 and 3.5 / 3.
+  EXPECT_GE(film.outstanding(0, 0), 3.5 / 3 - 0.75);
+  EXPECT_LE(film.outstanding(0, 0), 1.25);
+  // Half traced, it is not shown.
+  film.add(std::vector<Contribution>{{2, FixedRgb::from(Rgb(0.25f)), -most / 2}}, true);
+  EXPECT_EQ(film.color(0, 0), Rgb(0.75f));
+  film.add(std::vector<Contribution>{{2, FixedRgb::from(Rgb(1.25f)), -most / 2}}, true);
+  EXPECT_EQ(film.color(0, 0), Rgb(1.0f));
+  EXPECT_EQ(film.outstanding(0, 0), 0.0);
+}
+
 TEST(Film, SamplesBeyondThePixelsBeginAnew) {
   Film film(2, 1);
   film.begin_refinement(2);
