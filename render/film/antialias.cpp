@@ -18,14 +18,14 @@ std::uint32_t room_for(std::uint32_t pixels) {
 }
 
 void make_room(Film& film) {
-  constexpr std::uint32_t kSmall = 1u << 12;
-  for (std::uint32_t room = room_for(film.pixels());; room /= 2) {
+  constexpr std::uint32_t kSmall = 1u << 12;  // still more than a pixel's grid needs
+  for (std::uint32_t room = room_for(film.pixels()); room >= kSmall; room /= 2) {
     try {
       return film.begin_refinement(room);
     } catch (const std::bad_alloc&) {
-      if (room <= kSmall) throw;
     }
   }
+  throw std::bad_alloc();
 }
 
 AntialiasSettings within_range(AntialiasSettings settings, const Film& film) {
