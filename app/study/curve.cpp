@@ -24,6 +24,14 @@ std::optional<double> settles_below(std::span<const CurvePoint> curve, double li
   return above.x + (below.x - above.x) * (above.y - limit) / (above.y - below.y);
 }
 
+double value_at(std::span<const CurvePoint> curve, double x) {
+  const auto after = std::ranges::upper_bound(curve, x, {}, &CurvePoint::x);
+  if (after == curve.begin()) return curve.front().y;
+  if (after == curve.end()) return curve.back().y;
+  const CurvePoint& before = *(after - 1);
+  return before.y + (after->y - before.y) * (x - before.x) / (after->x - before.x);
+}
+
 double median(std::span<const double> values) {
   std::vector<double> sorted(values.begin(), values.end());
   std::ranges::sort(sorted);

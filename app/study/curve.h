@@ -16,6 +16,9 @@ double area_under(std::span<const CurvePoint> curve);
 /// The least x from which on the curve does not exceed `limit` again; nothing when it ends above.
 std::optional<double> settles_below(std::span<const CurvePoint> curve, double limit);
 
+/// On the straight lines from point to point; before the first and behind the last point as there. Pre: not empty.
+double value_at(std::span<const CurvePoint> curve, double x);
+
 /// Of an even number of values the mean of the two in the middle. Pre: not empty.
 double median(std::span<const double> values);
 

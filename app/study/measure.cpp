@@ -18,15 +18,6 @@ namespace {
 
 constexpr std::uint64_t kCheckpoints = 100;
 
-/// Notes how many rays it took until there was something to see.
-struct FirstLooks final : priority::Observer {
-  void preview(const priority::Progress& progress) override { preview_rays = progress.traced.total(); }
-  void first_image(const priority::Progress& progress) override { first_image_rays = progress.traced.total(); }
-
-  std::uint64_t preview_rays = 0;
-  std::uint64_t first_image_rays = 0;
-};
-
 bool same_bytes(std::span<const render::Rgb> a, std::span<const render::Rgb> b) {
   return a.size() == b.size() && std::memcmp(a.data(), b.data(), a.size_bytes()) == 0;
 }
@@ -45,11 +36,12 @@ class Measurement {
         time((i + static_cast<std::size_t>(round)) % plan_.schemes.size(), round);
       }
     }
-    if (going_on()) keep_first_looks();
+    for (std::size_t i = 0; going_on() && i < plan_.schemes.size(); ++i) finish(i);
     return error_;
   }
 
  private:
+  /// When there was something to see first, in seconds, a number a round.
   struct Looks {
     std::vector<double> preview;
     std::vector<double> first_image;
@@ -64,8 +56,9 @@ class Measurement {
   std::optional<priority::TraceStatistics> trace(std::size_t scheme, render::Film& film, priority::Observer* observer,
                                                  std::uint64_t checkpoint_rays) {
     render::MediumTable media;
+    const std::shared_ptr<const priority::Scheme> order = plan_.schemes[scheme].make(film);
     priority::TraceOptions options;
-    options.scheme = plan_.schemes[scheme].scheme.get();
+    options.scheme = order.get();
     options.threads = plan_.threads;
     options.queue_memory = plan_.queue_memory;
     options.antialias = plan_.antialias ? &*plan_.antialias : nullptr;
@@ -119,9 +112,8 @@ class Measurement {
   void time(std::size_t scheme, int round) {
     say(fmt::format("round {} of {}: {}", round + 1, plan_.rounds, plan_.schemes[scheme].text));
     render::Film film(plan_.width, plan_.height);
-    FirstLooks looks;
     const auto begin = std::chrono::steady_clock::now();
-    const auto statistics = trace(scheme, film, &looks, 0);
+    const auto statistics = trace(scheme, film, nullptr, 0);
     if (!statistics) return;
     const auto since = [&](const std::optional<std::chrono::steady_clock::time_point>& point) {
       return std::chrono::duration<double>(*point - begin).count();
@@ -129,23 +121,16 @@ class Measurement {
     SchemeStudy& own = study_.schemes[scheme];
     own.seconds.push_back(statistics->seconds);
     own.statistics = *statistics;
-    const auto all = static_cast<double>(statistics->rays.total());
-    if (statistics->preview) {
-      looks_[scheme].preview.push_back(since(statistics->preview));
-      own.preview = Reached{0.0, static_cast<double>(looks.preview_rays) / all};
-    }
-    if (statistics->first_image) {
-      looks_[scheme].first_image.push_back(since(statistics->first_image));
-      own.first_image = Reached{0.0, static_cast<double>(looks.first_image_rays) / all};
-    }
+    if (statistics->preview) looks_[scheme].preview.push_back(since(statistics->preview));
+    if (statistics->first_image) looks_[scheme].first_image.push_back(since(statistics->first_image));
   }
 
-  void keep_first_looks() {
-    for (std::size_t i = 0; i < looks_.size(); ++i) {
-      SchemeStudy& own = study_.schemes[i];
-      if (own.preview) own.preview->seconds = median(looks_[i].preview);
-      if (own.first_image) own.first_image->seconds = median(looks_[i].first_image);
-    }
+  void finish(std::size_t scheme) {
+    SchemeStudy& own = study_.schemes[scheme];
+    const Looks& looks = looks_[scheme];
+    if (!looks.preview.empty()) own.preview = Reached{median(looks.preview), 0.0};
+    if (!looks.first_image.empty()) own.first_image = Reached{median(looks.first_image), 0.0};
+    set_clock(own);
   }
 
   const StudyPlan& plan_;

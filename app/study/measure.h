@@ -4,6 +4,7 @@
 #include "priority/scheme.h"
 #include "render/accel/accel.h"
 #include "render/film/antialias_settings.h"
+#include "render/film/film.h"
 #include "render/scene/scene.h"
 
 #include <atomic>
@@ -19,7 +20,8 @@ namespace firstlight::app {
 struct StudyPlan {
   struct Entry {
     std::string text;
-    std::shared_ptr<const priority::Scheme> scheme;  ///< null: the traditional order
+    /// Null: the traditional order. Made anew for each picture: a scheme learns while it is used.
+    std::function<std::shared_ptr<const priority::Scheme>(const render::Film&)> make;
   };
 
   const render::Scene* scene = nullptr;

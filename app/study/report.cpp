@@ -124,8 +124,8 @@ std::string pictures(const Study& study) {
     for (const MomentPicture& picture : scheme.pictures) {
       html += fmt::format(
           "<figure><img alt=\"{:.0f} % of the rays\" src=\"data:image/png;base64,{}\"><figcaption>{:.0f} % of the "
-          "rays, "
-          "{:.2f} s<br>{:.1f} % off</figcaption></figure>\n",
+          "rays<br>"
+          "{:.2f} s, {:.1f} % off</figcaption></figure>\n",
           100.0 * picture.share, base64(picture.png), 100.0 * picture.share, picture.seconds,
           100.0 * picture.difference);
     }
@@ -152,8 +152,9 @@ std::string method(const Study& study) {
       "<h2>How it was measured</h2>\n<ul>\n"
       "<li>Times are of tracing alone, the median of {} round{}. Every round renders with all schemes, one after the "
       "other, and begins with another one; a ratio is taken within its round, and its range is in brackets.</li>\n"
-      "<li>Curves come from a further round that rests a hundred times, every worker, to be looked at. Its clock "
-      "stands still meanwhile.</li>\n"
+      "<li>Curves come from a further round in which all workers rest a hundred times, so that the picture can be "
+      "compared. Its clock stands still meanwhile, and is set so that it ends at the median of the undisturbed "
+      "rounds.</li>\n"
       "<li>A picture in progress is the one that a viewer is shown: pixels that have no light yet are filled from "
       "their "
       "neighbours.</li>\n"

@@ -74,9 +74,9 @@ std::string time_table(const Study& study) {
         [](Scheme, Summary s) {
           return fmt::format(" <span class=\"soft\">({:.2f} to {:.2f})</span>", s.least_ratio, s.most_ratio);
         }},
-       {"first preview, s (rays)", [](Scheme scheme, Summary) { return seconds_of(scheme.preview); }, digits(3), true,
+       {"first preview, s (rays)", [](Scheme scheme, Summary) { return seconds_of(scheme.preview); }, digits(4), true,
         [](Scheme scheme, Summary) { return share_of(scheme.preview); }},
-       {"first image, s (rays)", [](Scheme scheme, Summary) { return seconds_of(scheme.first_image); }, digits(3), true,
+       {"first image, s (rays)", [](Scheme scheme, Summary) { return seconds_of(scheme.first_image); }, digits(4), true,
         [](Scheme scheme, Summary) { return share_of(scheme.first_image); }},
        {"longest queue, rays",
         [](Scheme scheme, Summary) { return std::optional(static_cast<double>(scheme.statistics.peak_rays)); },

@@ -36,7 +36,8 @@ figcaption { font-size: .9rem; margin-top: .3rem; }
 svg { width: 100%; height: auto; display: block; overflow: visible; }
 svg text { font: 12px system-ui, "DejaVu Sans", sans-serif; fill: var(--soft); }
 .grid { stroke: var(--faint); } .axis, .tick { stroke: var(--axis); }
-.line { fill: none; stroke-width: 2; stroke-linejoin: round; }
+.line { fill: none; stroke-width: 1.5; stroke-linejoin: round; }
+.line0, .line1 { stroke-width: 2.5; }
 .line0 { stroke: var(--c0); stroke-dasharray: 6 4; }
 .line1, .line9 { stroke: var(--c1); } .line2, .line10 { stroke: var(--c2); } .line3, .line11 { stroke: var(--c3); }
 .line4, .line12 { stroke: var(--c4); } .line5, .line13 { stroke: var(--c5); } .line6, .line14 { stroke: var(--c6); }

@@ -40,6 +40,21 @@ std::vector<CurvePoint> rays_curve(const SchemeStudy& scheme, render::RayKind ki
                [&](const Moment& moment) { return static_cast<double>(moment.traced.of(kind)); });
 }
 
+std::vector<CurvePoint> share_curve(const SchemeStudy& scheme) {
+  return curve(scheme, Over::seconds, 0.0, [&](const Moment& moment) { return share(scheme, moment); });
+}
+
+void set_clock(SchemeStudy& scheme) {
+  const double watched = scheme.moments.back().seconds;
+  const double factor = watched > 0.0 ? median(scheme.seconds) / watched : 1.0;
+  for (Moment& moment : scheme.moments) moment.seconds *= factor;
+  for (MomentPicture& picture : scheme.pictures) picture.seconds *= factor;
+  const std::vector<CurvePoint> shares = share_curve(scheme);
+  for (std::optional<Reached>* reached : {&scheme.preview, &scheme.first_image}) {
+    if (*reached) (*reached)->share = value_at(shares, (*reached)->seconds);
+  }
+}
+
 SchemeSummary summarize(const Study& study, const SchemeStudy& scheme) {
   SchemeSummary summary;
   summary.seconds = median(scheme.seconds);

@@ -13,7 +13,7 @@ namespace firstlight::app {
 
 /// Where a picture stands at one moment of its making.
 struct Moment {
-  double seconds = 0.0;  ///< of tracing, without the time that looking at it took
+  double seconds = 0.0;  ///< of tracing; so that the last moment's are the median of SchemeStudy::seconds
   render::RayCounts traced;
   std::uint64_t rays_waiting = 0;
   std::size_t queue_bytes = 0;
@@ -68,6 +68,13 @@ std::vector<CurvePoint> difference_curve(const SchemeStudy& scheme, Over over);
 std::vector<CurvePoint> flip_curve(const Study& study, const SchemeStudy& scheme, Over over);
 std::vector<CurvePoint> queue_curve(const SchemeStudy& scheme);
 std::vector<CurvePoint> rays_curve(const SchemeStudy& scheme, render::RayKind kind);
+/// Share of the rays over seconds.
+std::vector<CurvePoint> share_curve(const SchemeStudy& scheme);
+
+/// Makes the clock of the moments and pictures, which has run while they were looked at, that of the undisturbed
+/// rounds: it ends at their median. Then tells of what was reached the share of the rays. Pre: at least one round and
+/// moment.
+void set_clock(SchemeStudy& scheme);
 
 /// The numbers of a scheme that a table shows.
 struct SchemeSummary {

@@ -30,6 +30,15 @@ TEST(StudyCurve, SettlesAtOnceOrNever) {
   EXPECT_FALSE(settles_below({}, 0.05).has_value());
 }
 
+TEST(StudyCurve, ValuesLieOnStraightLines) {
+  const Curve curve{{1.0, 4.0}, {2.0, 6.0}, {2.0, 7.0}, {4.0, 5.0}};
+  EXPECT_DOUBLE_EQ(value_at(curve, 1.5), 5.0);
+  EXPECT_DOUBLE_EQ(value_at(curve, 3.0), 6.0);
+  EXPECT_DOUBLE_EQ(value_at(curve, 2.0), 7.0);
+  EXPECT_DOUBLE_EQ(value_at(curve, 0.0), 4.0);
+  EXPECT_DOUBLE_EQ(value_at(curve, 9.0), 5.0);
+}
+
 TEST(StudyCurve, MedianOfOddAndEvenNumbers) {
   EXPECT_DOUBLE_EQ(median(std::vector{5.0, 1.0, 3.0}), 3.0);
   EXPECT_DOUBLE_EQ(median(std::vector{4.0, 1.0, 3.0, 2.0}), 2.5);
@@ -61,6 +70,21 @@ TEST(Study, SummaryHoldsWhatTheCurvesSay) {
   EXPECT_NEAR(summary.five_percent.value(), 1.0 - 0.7169, 1e-3);
   EXPECT_NEAR(summary.one_percent.value(), 1.0 - 0.5995, 1e-3);
   EXPECT_DOUBLE_EQ(summary.peak_of_worst_case, 0.25);
+}
+
+// A run that is looked at may be slower; its rays come in the same order all the same.
+TEST(Study, ClockEndsAtTheMedianOfTheUndisturbedRounds) {
+  SchemeStudy scheme = made_up_scheme("level", 6.0, 1.0);
+  scheme.seconds = {4.0, 1.0, 3.0};
+  scheme.preview = Reached{0.06, 0.0};
+  scheme.first_image = Reached{2.0, 0.0};
+  scheme.pictures.push_back({0.5, 3.0, 0.5, ""});
+  set_clock(scheme);
+  EXPECT_DOUBLE_EQ(scheme.moments.back().seconds, 3.0);
+  EXPECT_DOUBLE_EQ(scheme.moments[49].seconds, 1.5);
+  EXPECT_DOUBLE_EQ(scheme.pictures[0].seconds, 1.5);
+  EXPECT_NEAR(scheme.preview->share, 0.02, 1e-12);
+  EXPECT_NEAR(scheme.first_image->share, 2.0 / 3.0, 1e-12);
 }
 
 // Rounds in which the machine is slow are slow for both.
