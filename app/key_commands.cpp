@@ -40,7 +40,22 @@ const priority::SchemeRow* choice_of(char key) {
 
 }  // namespace
 
+bool KeyCommands::is_within_sequence(char key) {
+  constexpr char kEscape = '\x1b';
+  const Sequence before = sequence_;
+  if (key == kEscape) {
+    sequence_ = Sequence::begun;
+  } else if (before == Sequence::begun) {
+    // ESC [ ... letter, ESC O letter, or ESC and one key.
+    sequence_ = key == '[' || key == 'O' ? Sequence::parameters : Sequence::none;
+  } else if (before == Sequence::parameters && key >= '@' && key <= '~') {
+    sequence_ = Sequence::none;
+  }
+  return before != Sequence::none || sequence_ != Sequence::none;
+}
+
 std::string KeyCommands::press(char key) {
+  if (is_within_sequence(key)) return {};
   switch (key) {
     case ' ':
       if (steering_.paused()) {

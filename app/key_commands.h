@@ -17,6 +17,11 @@ class KeyCommands {
   std::string press(char key);
 
  private:
+  /// Arrows and the like come as several characters, which mean something else alone.
+  bool is_within_sequence(char key);
+
+  enum class Sequence { none, begun, parameters };
+  Sequence sequence_ = Sequence::none;
   priority::Steering& steering_;
   Desk& desk_;
 };

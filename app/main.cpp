@@ -12,6 +12,7 @@
 #include <chrono>
 #include <csignal>
 #include <cstdio>
+#include <ctime>
 #include <exception>
 #include <new>
 #include <span>
@@ -23,9 +24,18 @@ namespace {
 std::atomic<bool> g_stop = false;
 static_assert(std::atomic<bool>::is_always_lock_free, "a signal handler sets it");
 
-// The second Ctrl-C does what Ctrl-C always does: it ends the program at once.
+std::atomic<double> g_stop_time = 0.0;  // seconds, of the first request
+static_assert(std::atomic<double>::is_always_lock_free, "a signal handler sets it");
+
+// The second Ctrl-C does what Ctrl-C always does: it ends the program at once. But `timeout` and others send a signal
+// to the program and to its group at the same moment, which is one request.
 void ask_to_stop(int signal) {
-  if (!g_stop.exchange(true)) return;
+  constexpr double kOneRequest = 0.5;
+  timespec now{};
+  clock_gettime(CLOCK_MONOTONIC, &now);
+  const double seconds = static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
+  if (!g_stop.exchange(true)) g_stop_time = seconds;
+  if (seconds - g_stop_time < kOneRequest) return;
   firstlight::app::RawTerminal::restore();
   std::signal(signal, SIG_DFL);
   raise(signal);

@@ -14,7 +14,6 @@ namespace {
 
 // So long the terminal may be another's after the program has come back to the foreground.
 constexpr int kRefreshMilliseconds = 250;
-constexpr char kEscape = '\x1b';
 
 }  // namespace
 
@@ -41,8 +40,6 @@ void TerminalKeys::run() {
       ::poll(waiting.data(), 1, kRefreshMilliseconds);
       continue;
     }
-    // Arrows and the like come as several characters, which mean something else alone.
-    if (buffer[0] == kEscape) continue;
     for (const char key : std::string_view(buffer.data(), static_cast<std::size_t>(count))) {
       if (const std::string text = commands_.press(key); !text.empty()) line_.note(text);
     }

@@ -5,6 +5,8 @@
 
 #include <gtest/gtest.h>
 
+#include <string_view>
+
 namespace firstlight::app {
 namespace {
 
@@ -52,6 +54,16 @@ TEST(KeyCommands, OthersMeanNothing) {
   for (const char key : {'\0', '\n', '\r', '\t', '0', 'Z', '~', '\x7f', '\xff'}) EXPECT_EQ(keys.press(key), "");
   EXPECT_EQ(steered.steering.version(), version);
   EXPECT_FALSE(steered.steering.paused());
+}
+
+TEST(KeyCommands, ArrowsAndTheLikeAreNotTheirLetters) {
+  Steered steered;
+  KeyCommands keys(steered.steering, steered.desk);
+  // Up, F1, Delete, Ctrl-Right, Alt-q.
+  for (const char key : std::string_view("\x1b[A\x1bOP\x1b[3~\x1b[1;5C\x1bq")) EXPECT_EQ(keys.press(key), "");
+  EXPECT_EQ(steered.steering.order().text(), "contribution");
+  EXPECT_FALSE(steered.steering.stopped());
+  EXPECT_NE(keys.press(' '), "");
 }
 
 TEST(KeyCommands, HelpShowsThemAll) {

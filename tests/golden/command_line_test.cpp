@@ -9,6 +9,7 @@
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
+#include <array>
 #include <fstream>
 #include <random>
 
@@ -114,6 +115,42 @@ TEST(Refuses, AFrontEndThatIsNotAModule) {
   }
 }
 
+TEST(Refuses, AnUnknownSchemeAMalformedOneAndABoostOfNothing) {
+  const ScratchFolder scratch;
+  const auto picture = scratch / "picture.png";
+  for (const auto& [option, text, part] : {std::array{"--scheme", "contributoin", "contribution"},
+                                           {"--scheme", "level, nothing", "nothing"},
+                                           {"--scheme", "level level", "column 7"},
+                                           {"--boost", "object Nothing", "Nothing"},
+                                           {"--boost", "light 99", "light 99"},
+                                           {"--boost", "region 9 9 1 1", "empty"},
+                                           {"--boost", "place", "place"}}) {
+    SCOPED_TRACE(text);
+    const auto result =
+        expect_command_refused({"+I" + kScene.string(), "+O" + picture.string(), option, text}, picture, scratch);
+    EXPECT_NE(result.err.find(option), std::string::npos) << result.err;
+    EXPECT_NE(result.err.find(part), std::string::npos) << result.err;
+  }
+}
+
+TEST(Refuses, AnImpossibleBudget) {
+  const ScratchFolder scratch;
+  const auto picture = scratch / "picture.png";
+  for (const char* size : {"1k", "0", "lots", "-5M"}) {
+    const auto result = expect_command_refused(
+        {"+I" + kScene.string(), "+O" + picture.string(), "--queue-memory", size}, picture, scratch);
+    EXPECT_NE(result.err.find("--queue-memory"), std::string::npos) << result.err;
+  }
+}
+
+TEST(Refuses, AnIniFileWithAMistakeByItsLine) {
+  const ScratchFolder scratch;
+  const auto picture = scratch / "picture.png";
+  const auto ini = scratch.write("room.ini", "Input_File_Name=" + kScene.string() + "\nStop_After=soon\n");
+  const auto result = expect_command_refused({ini.string(), "+O" + picture.string()}, picture, scratch);
+  EXPECT_NE(result.err.find(ini.string() + ":2: "), std::string::npos) << result.err;
+}
+
 // ---- done --------------------------------------------------------------------------------------------------------
 
 /// A picture of `kScene` with these options, which must succeed.
@@ -175,6 +212,14 @@ TEST(CommandLine, FindsIncludedFilesInALibraryFolder) {
   EXPECT_TRUE(result.succeeded()) << result.summary() << '\n' << result.err;
 }
 
+TEST(CommandLine, TakesItsOptionsFromAnIniFileToo) {
+  const ScratchFolder scratch;
+  const auto ini = scratch.write("room.ini",
+                                 "; settings of ours and of POV-Ray\nScheme=level\nWidth=999\n+H999\n[Small]\n"
+                                 "Width = 32 ; a comment\n+H24 -A\nQueue_Memory=1M\n");
+  EXPECT_EQ(picture_with({ini.string() + "[small]"}, scratch), picture_with({"+W32", "+H24"}, scratch));
+}
+
 TEST(CommandLine, ALoadedFrontEndMakesTheSamePicture) {
   const ScratchFolder scratch;
   EXPECT_EQ(picture_with({"--front-end", FIRSTLIGHT_POV_MODULE}, scratch), picture_with({}, scratch));
@@ -192,8 +237,9 @@ TEST(CommandLine, StatsHoldEveryNumber) {
   EXPECT_EQ(stats.value("width", 0), 160);
   EXPECT_EQ(stats.value("height", 0), 120);
   for (const char* path : {"/time/parse_s", "/time/build_s", "/time/first_image_s", "/time/trace_s", "/time/total_s",
-                           "/rays/primary", "/rays/reflection", "/rays/transmission", "/rays/shadow",
-                           "/queue/peak_rays", "/queue/peak_bytes", "/queue/bytes_per_ray", "/queue/worst_case_rays"}) {
+                           "/rays/primary", "/rays/reflection", "/rays/transmission", "/rays/shadow", "/time/preview_s",
+                           "/end/remaining", "/rekeying/count", "/queue/memory", "/queue/peak_rays",
+                           "/queue/peak_bytes", "/queue/bytes_per_ray", "/queue/worst_case_rays"}) {
     const nlohmann::json::json_pointer pointer(path);
     ASSERT_TRUE(stats.contains(pointer)) << path;
     EXPECT_TRUE(stats.at(pointer).is_number()) << path;
