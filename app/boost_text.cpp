@@ -159,10 +159,10 @@ std::string boost_text(const Boost& boost) {
 }
 
 std::string boost_help() {
-  return "  region X0 Y0 X1 Y1      pixels from the upper left to the lower right one, both included\n"
-         "  object NAME             what the scene calls so: the rays that leave it\n"
-         "  light N                 the shadow feelers to a light; the first is 0\n"
-         "  then perhaps            by N (1 if not given; less than 0: later), as NAME\n";
+  return "  region X0 Y0 X1 Y1         pixels from the upper left to the lower right one, both included\n"
+         "  object NAME                what the scene calls so: the rays that leave it\n"
+         "  light N                    the shadow feelers to a light; the first is 0\n"
+         "  then perhaps               by N (1 if not given; less than 0: later), as NAME\n";
 }
 
 }  // namespace firstlight::app

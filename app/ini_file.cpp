@@ -149,7 +149,7 @@ bool is_ini_name(const std::string& word) {
   if (word.empty() || word[0] == '+' || word[0] == '-' || word.find('=') != std::string::npos) return false;
   const IniName name = split_ini_name(word);
   const std::string extension = lower(fs::path(name.file).extension().string());
-  if (extension == ".ini") return true;
+  if (extension == ".ini" || extension.starts_with(".ini[")) return true;
   if (!extension.empty() || name.file.ends_with('/')) return false;
   return !is_file(word) && is_file(name.file + ".ini");
 }

@@ -20,6 +20,14 @@ double positive(const std::string& text) {
   return *value;
 }
 
+int threads(const std::string& text) {
+  const auto count = parse<int>(text);
+  if (!count || *count < 1 || *count > kMostThreads) {
+    throw CLI::ValidationError(fmt::format("expected a number from 1 to {}, found '{}'", kMostThreads, text));
+  }
+  return *count;
+}
+
 std::size_t queue_memory(const std::string& text) {
   const auto bytes = parse_memory_size(text);
   if (!bytes) throw CLI::ValidationError(fmt::format("expected a size such as 500k, 16M or 1.5G, found '{}'", text));
@@ -44,9 +52,9 @@ LongOptions::LongOptions(CommandLine& out) : out_(out) {
   app_.set_help_flag("--help", "Show this help and leave");
   app_.add_flag_callback(
       "--version", [&out] { out.wish = CommandLine::Wish::version; }, "Show the version and leave");
-  app_.add_option("--threads", options.threads, "Threads that trace; all processors if not given")
-      ->check(CLI::Range(1, kMostThreads))
-      ->type_name("N");
+  read(
+      "--threads", [&](const std::string& count) { options.threads = threads(count); },
+      "Threads that trace; all processors if not given", "N");
   text("--scheme", options.scheme, "The order of the rays (see below)", "TEXT");
   read(
       "--boost", [&](const std::string& boost) { options.boosts.push_back(boost); },
@@ -89,7 +97,7 @@ std::string LongOptions::help() const {
   for (const CLI::Option* option : app_.get_options()) {
     const std::string left =
         option->get_name() + (option->get_items_expected_min() > 0 ? " " + option->get_type_name() : "");
-    text += fmt::format("  {:<22}  {}\n", left, option->get_description());
+    text += fmt::format("  {:<25}  {}\n", left, option->get_description());
   }
   return text;
 }

@@ -89,7 +89,7 @@ std::string help_text() {
   text += LongOptions(defaults).help();
   text += "\nSchemes, alone or mixed (docs/schemes.md):\n";
   for (const priority::SchemeRow& row : priority::schemes()) {
-    text += fmt::format("  {:<22}  {}{}\n", fmt::format("{}{}", row.name, row.arguments), row.meaning,
+    text += fmt::format("  {:<25}  {}{}\n", fmt::format("{}{}", row.name, row.arguments), row.meaning,
                         row.name == priority::kDefaultScheme ? " (default)" : "");
   }
   text += fmt::format("\nBoosts:\n{}", boost_help());

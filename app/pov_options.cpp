@@ -35,9 +35,6 @@ void PovOptions::read_word(const std::string& word) {
     read_setting(word);
   } else if (is_scene) {
     out_.options.scene = word;
-  } else if (small.ends_with(".ini") || small.find(".ini[") != std::string::npos) {
-    out_.errors.push_back(
-        fmt::format("{}: settings are not read from .ini files; give them on the command line", word));
   } else if (word.back() == '/') {
     out_.options.library_paths.push_back(word);
   } else {

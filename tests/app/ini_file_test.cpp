@@ -127,6 +127,11 @@ TEST(IniFile, MistakesAreNamedByFileAndLine) {
   EXPECT_NE(first_error(parse({"a.pov", folder / "missing.ini"})).find("missing.ini"), std::string::npos);
 }
 
+TEST(IniFile, ABracketThatIsNotClosedIsNotAScene) {
+  EXPECT_NE(first_error(parse({"quick.ini[High"})).find("quick.ini[High: there is no such .ini file"),
+            std::string::npos);
+}
+
 TEST(IniFile, FilesNameOthersButNotForEver) {
   const Folder folder;
   const std::string inner = folder.write("inner.ini", "Width=64\nHeight=x\n");
