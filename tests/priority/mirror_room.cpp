@@ -4,6 +4,8 @@
 #include "render/shape/primitives.h"
 
 #include <cmath>
+#include <cstddef>
+#include <span>
 #include <utility>
 
 namespace firstlight::priority {
@@ -59,7 +61,7 @@ class FlakeMaker {
 
 }  // namespace
 
-MirrorRoom::MirrorRoom(int depth, int glass, int max_trace_level) {
+MirrorRoom::MirrorRoom(int depth, int glass, int max_trace_level, int lights) {
   SceneBuilder builder;
   builder.settings().max_trace_level = max_trace_level;
   Camera camera;
@@ -74,7 +76,8 @@ MirrorRoom::MirrorRoom(int depth, int glass, int max_trace_level) {
       builder.add(object_of(make_plane(normal, side), mirror), mirror);
     }
   }
-  for (const Vec3& position : {Vec3(4.0, 4.5, -4.0), Vec3(-4.0, 3.0, -3.0), Vec3(0.5, 4.8, 4.0)}) {
+  const Vec3 positions[] = {{4.0, 4.5, -4.0}, {-4.0, 3.0, -3.0}, {0.5, 4.8, 4.0}, {-3.0, -4.0, -4.5}};
+  for (const Vec3& position : std::span(positions).first(static_cast<std::size_t>(lights))) {
     Object light;
     light.kind = Object::Kind::light;
     light.light.position = position;

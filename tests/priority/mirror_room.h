@@ -14,8 +14,8 @@ namespace firstlight::priority {
 class MirrorRoom {
  public:
   /// `depth`: generations of the flake, each sphere bearing nine smaller ones. `glass`: every how manieth sphere; 0:
-  /// none.
-  explicit MirrorRoom(int depth, int glass = 3, int max_trace_level = 5);
+  /// none. `lights`: at most 4.
+  explicit MirrorRoom(int depth, int glass = 3, int max_trace_level = 5, int lights = 3);
 
   const render::Scene& scene() const { return *scene_; }
   const render::Accel& accel() const { return *accel_; }
