@@ -1,5 +1,7 @@
 #include "render/film/preview.h"
 
+#include "render/math/pixel_grid.h"
+
 #include <algorithm>
 #include <cmath>
 #include <cstddef>

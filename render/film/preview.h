@@ -7,9 +7,6 @@
 
 namespace firstlight::render {
 
-/// Pixels between the points of the coarsest grid of primary rays; a power of two.
-constexpr int kCoarsestGrid = 16;
-
 /// The picture as it can be shown now, rows from the top: pixels whose own light is on the film as they are, the holes
 /// between them filled from their nearest lit neighbours on the next coarser grid. The film's own colours once every
 /// pixel is lit.

@@ -1,6 +1,6 @@
 #include "render/trace/primary.h"
 
-#include "render/film/preview.h"
+#include "render/math/pixel_grid.h"
 
 #include <algorithm>
 
