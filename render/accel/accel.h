@@ -1,5 +1,6 @@
 #pragma once
 
+#include "render/accel/ray_block.h"
 #include "render/math/vec.h"
 #include "render/scene/scene.h"
 
@@ -41,6 +42,11 @@ class Accel {
   ~Accel();
   Accel(Accel&&) noexcept;
   Accel& operator=(Accel&&) noexcept;
+
+  /// hits[i] answers ray i of the block. Pre: hits has room for rays.size.
+  void closest(const RayBlock& rays, std::span<Hit> hits) const;
+  /// Bit i is set when any opaque part lies on ray i.
+  std::uint64_t occluded(const RayBlock& rays) const;
 
   /// hits[i] answers queries[i]. Pre: equal sizes.
   void closest(std::span<const RayQuery> queries, std::span<Hit> hits) const;

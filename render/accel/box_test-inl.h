@@ -12,6 +12,7 @@
 #include <hwy/highway.h>
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 #include <cstddef>
 
@@ -101,8 +102,8 @@ class ExactRay {
   double min_depth_;
 };
 
-/// A ray prepared for box tests in float: of children only, to find what to visit. It meets every child that holds a
-/// leaf met by ExactRay, and never enters it later than that leaf.
+/// Rays prepared for box tests in float: of the tree as a whole and of children, to find what to visit. A ray meets
+/// every child that holds a leaf met by ExactRay, and never enters it later than that leaf.
 ///
 /// With u = 2^-24, o the origin, n a face, i the inverse direction, all in float and of one axis, the depth n i - o i
 /// is off by at most |i| u (|o| + 2 (|n| + |o|) + |o| + |o| + 2 |n| + |o|), in turn: o, i with its direction, the
@@ -113,42 +114,90 @@ class ExactRay {
 /// Directions below kSteepest are taken for that. The largest is above kLeastDirection, so inside of the tree's boxes
 /// the depth is at most (|o| + reach) / kLeastDirection, and the ray moves by less than 2^-48 (|o| + reach), the other
 /// part of the margin (FloatLimits::shared_margin).
+struct FloatRays {
+  Columns3<float> inverse;
+  Columns3<float> enter;  ///< what the depths of faces begin with, less the margin
+  Columns3<float> leave;  ///< plus the margin
+  Column<float> min_depth;
+  std::uint64_t usable = 0;  ///< not set where the margin is not small beside the boxes of the tree, or a number would
+                             ///< leave the range of floats
+  std::uint64_t near = 0;    ///< of the usable, those that may meet the tree's box between their depths
+
+  /// Rays whose `last` is not beyond their min_depth are left out.
+  HWY_INLINE FloatRays(const RayBlock& rays, const Column<double>& last, const WideTree& tree) {
+    const hn::CappedTag<double, 8> d;
+    for (std::size_t i = 0; i < rays.size; i += hn::Lanes(d)) prepare(rays, last, tree, i);
+    const std::uint64_t all = ~std::uint64_t{0} >> (kRaysAtOnce - rays.size);
+    usable &= all;
+    near &= usable;
+  }
+
+  /// A float not below `depth`.
+  static float above(double depth) {
+    const auto f = static_cast<float>(depth);
+    return f + (std::abs(f) * 0x1p-22f + 1e-30f);
+  }
+
+ private:
+  static constexpr float kSteepest = 0x1p-60f;
+  static constexpr float kLeastDirection = 0x1p-10f;
+  static constexpr float kLargestDirection = 0x1p10f;
+
+  HWY_INLINE void prepare(const RayBlock& rays, const Column<double>& last, const WideTree& tree, std::size_t i) {
+    const hn::CappedTag<double, 8> d;
+    const hn::Rebind<float, decltype(d)> f;
+    const FloatLimits& limits = tree.float_limits();
+    const auto rounded = [&](const Column<double>& column)
+                             HWY_ATTR { return hn::DemoteTo(f, hn::Load(d, column.at.data() + i)); };
+    const auto outwards = [&](hn::VFromD<decltype(f)> depth) HWY_ATTR {
+      return hn::Add(hn::Mul(hn::Abs(depth), hn::Set(f, 0x1p-22f)), hn::Set(f, 1e-30f));
+    };
+    const auto least_depth = rounded(rays.min_depth);
+    const auto last_depth = rounded(last);
+    auto first = hn::Sub(least_depth, outwards(least_depth));
+    hn::Store(first, f, min_depth.at.data() + i);
+    auto end = hn::Add(last_depth, outwards(last_depth));
+    auto fits = hn::Eq(first, first);
+    auto strong = hn::Lt(first, hn::Neg(hn::Inf(f)));  // none
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      const auto origin = rounded(rays.origin.of[axis]);
+      const auto direction = rounded(rays.direction.of[axis]);
+      const auto size = hn::Abs(direction);
+      const auto inv = hn::Div(hn::Set(f, 1.0f), hn::CopySign(hn::Max(size, hn::Set(f, kSteepest)), direction));
+      const auto at_zero = hn::Mul(origin, inv);
+      const auto share = hn::Add(hn::Mul(hn::Abs(origin), hn::Set(f, 0x1p-20f)), hn::Set(f, limits.shared_margin));
+      const auto margin = hn::Mul(share, hn::Abs(inv));
+      const auto enter_at = hn::Neg(hn::Add(at_zero, margin));
+      const auto leave_at = hn::Sub(margin, at_zero);
+      hn::Store(inv, f, inverse.of[axis].at.data() + i);
+      hn::Store(enter_at, f, enter.of[axis].at.data() + i);
+      hn::Store(leave_at, f, leave.of[axis].at.data() + i);
+      fits = hn::And(fits, hn::And(hn::Lt(hn::Abs(origin), hn::Set(f, limits.farthest_origin)),
+                                   hn::Lt(size, hn::Set(f, kLargestDirection))));
+      strong = hn::Or(strong, hn::Gt(size, hn::Set(f, kLeastDirection)));
+      const auto low = hn::Mul(hn::Set(f, tree.bounds().low[axis]), inv);
+      const auto high = hn::Mul(hn::Set(f, tree.bounds().high[axis]), inv);
+      first = hn::Max(first, hn::Add(hn::Min(low, high), enter_at));
+      end = hn::Min(end, hn::Add(hn::Max(low, high), leave_at));
+    }
+    usable |= std::uint64_t{bits_of(f, hn::And(fits, strong))} << i;
+    near |= std::uint64_t{bits_of(f, hn::Le(first, end))} << i;
+  }
+};
+
+/// One of the rays, for the children of nodes.
 class FloatRay {
  public:
   using Depth = float;
 
-  FloatRay(const RayQuery& query, const FloatLimits& limits) : min_depth_(-above(-query.min_depth)) {
-    const hn::CappedTag<float, 4> d;
-    alignas(32) float origins[4];
-    alignas(32) float directions[4];
-    to_float(query, 0, origins);
-    to_float(query, 3, directions);
-    unsigned near_bits = 0;
-    unsigned close = 0;
-    unsigned gentle = 0;
-    unsigned strong = 0;
-    for (std::size_t axis = 0; axis < 4; axis += hn::Lanes(d)) {
-      const auto origin = hn::Load(d, origins + axis);
-      const auto direction = hn::Load(d, directions + axis);
-      const auto size = hn::Abs(direction);
-      const auto inverse = hn::Div(hn::Set(d, 1.0f), hn::CopySign(hn::Max(size, hn::Set(d, kSteepest)), direction));
-      const auto at_zero = hn::Mul(origin, inverse);
-      const auto share = hn::Add(hn::Mul(hn::Abs(origin), hn::Set(d, 0x1p-20f)), hn::Set(d, limits.shared_margin));
-      const auto margin = hn::Mul(share, hn::Abs(inverse));
-      hn::Store(inverse, d, inverse_ + axis);
-      hn::Store(hn::Neg(hn::Add(at_zero, margin)), d, enter_ + axis);
-      hn::Store(hn::Sub(margin, at_zero), d, leave_ + axis);
-      near_bits |= bits_of(d, hn::Lt(inverse, hn::Zero(d))) << axis;
-      close |= bits_of(d, hn::Lt(hn::Abs(origin), hn::Set(d, limits.farthest_origin))) << axis;
-      gentle |= bits_of(d, hn::Lt(size, hn::Set(d, kLargestDirection))) << axis;
-      strong |= bits_of(d, hn::Gt(size, hn::Set(d, kLeastDirection))) << axis;
+  HWY_INLINE FloatRay(const FloatRays& rays, std::size_t i) : min_depth_(rays.min_depth[i]) {
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      inverse_[axis] = rays.inverse.of[axis][i];
+      enter_[axis] = rays.enter.of[axis][i];
+      leave_[axis] = rays.leave.of[axis][i];
+      near_row_[axis] = 2 * axis + (std::bit_cast<std::uint32_t>(inverse_[axis]) >> 31);
     }
-    for (unsigned axis = 0; axis < 3; ++axis) near_row_[axis] = 2 * axis + (near_bits >> axis & 1u);
-    usable_ = (close & gentle & 7u) == 7u && (strong & 7u) != 0;
   }
-
-  /// False where the margin is not small beside the boxes of the tree, or a number would leave the range of floats.
-  bool usable() const { return usable_; }
 
   /// Bits of the slots that the ray may meet between its min_depth and `last`; `near` gets where it may enter them.
   HWY_INLINE unsigned meet_children(const WideNode& node, float last, float* HWY_RESTRICT near) const {
@@ -171,32 +220,14 @@ class FloatRay {
     return bits;
   }
 
-  /// A float not below `depth`.
-  static float above(double depth) {
-    const auto f = static_cast<float>(depth);
-    return f + (std::abs(f) * 0x1p-22f + 1e-30f);
-  }
+  static float above(double depth) { return FloatRays::above(depth); }
 
  private:
-  static constexpr float kSteepest = 0x1p-60f;
-  static constexpr float kLeastDirection = 0x1p-10f;
-  static constexpr float kLargestDirection = 0x1p10f;
-
-  /// Four numbers of the query from the one at `first` on: three of a vector, and a fourth that nobody reads.
-  static HWY_INLINE void to_float(const RayQuery& query, std::size_t first, float* HWY_RESTRICT out) {
-    static_assert(offsetof(RayQuery, min_depth) == 6 * sizeof(double), "origin, direction, min_depth in a row");
-    const hn::CappedTag<double, 4> d;
-    const hn::Rebind<float, decltype(d)> f;
-    const double* numbers = &query.ray.origin.x + first;
-    for (std::size_t i = 0; i < 4; i += hn::Lanes(d)) hn::Store(hn::DemoteTo(f, hn::LoadU(d, numbers + i)), f, out + i);
-  }
-
-  alignas(32) float inverse_[4];
-  alignas(32) float enter_[4];  ///< what the depths of faces begin with, less the margin
-  alignas(32) float leave_[4];  ///< plus the margin
+  float inverse_[3];
+  float enter_[3];
+  float leave_[3];
   std::size_t near_row_[3];
   float min_depth_;
-  bool usable_;
 };
 
 }  // namespace HWY_NAMESPACE

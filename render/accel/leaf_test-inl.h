@@ -1,6 +1,6 @@
-// How a ray meets spheres and planes, several at once. Included once for each instruction set, so the guard switches
-// back and forth. Lane by lane the operations are those of meet_sphere and Plane::meet in the same order, none fused:
-// the depths are the same to the bit.
+// How a ray meets several spheres at once, and several rays a plane. Included once for each instruction set, so the
+// guard switches back and forth. Lane by lane the operations are those of meet_sphere and Plane::meet in the same
+// order, none fused: the depths are the same to the bit.
 #if defined(FIRSTLIGHT_RENDER_ACCEL_LEAF_TEST_INL_H) == defined(HWY_TARGET_TOGGLE)
 #ifdef FIRSTLIGHT_RENDER_ACCEL_LEAF_TEST_INL_H
 #undef FIRSTLIGHT_RENDER_ACCEL_LEAF_TEST_INL_H
@@ -67,43 +67,101 @@ HWY_INLINE unsigned meet_spheres(const SphereBlock& block, const RayQuery& query
   return bits;
 }
 
-/// Bits of the planes that the ray meets beyond the query's min_depth and not beyond `max_depth`. The depths of the
-/// others are infinite.
-HWY_INLINE unsigned meet_planes(const PlaneBlock& block, const RayQuery& query, double max_depth,
-                                double* HWY_RESTRICT depths) {
-  const Doubles d;
-  const Ray& ray = query.ray;
-  unsigned bits = 0;
-  for (std::size_t lane = 0; lane < kLanes; lane += hn::Lanes(d)) {
-    const auto x = hn::Load(d, block.normal[0] + lane);
-    const auto y = hn::Load(d, block.normal[1] + lane);
-    const auto z = hn::Load(d, block.normal[2] + lane);
-    const auto approach =
-        dot(x, y, z, hn::Set(d, ray.direction.x), hn::Set(d, ray.direction.y), hn::Set(d, ray.direction.z));
-    const auto from_origin = dot(x, y, z, hn::Set(d, ray.origin.x), hn::Set(d, ray.origin.y), hn::Set(d, ray.origin.z));
-    const auto depth = hn::Div(hn::Neg(hn::Add(from_origin, hn::Load(d, block.offset + lane))), approach);
-    const auto near = hn::And(hn::Ge(depth, hn::Set(d, kNearestCrossing)), hn::Gt(depth, hn::Set(d, query.min_depth)));
-    const auto far = hn::Le(depth, hn::Set(d, std::min(kMaxDistance, max_depth)));
-    const auto met = hn::And(hn::Ge(hn::Abs(approach), hn::Set(d, kEpsilon)), hn::And(near, far));
-    hn::Store(hn::IfThenElse(met, depth, hn::Set(d, std::numeric_limits<double>::infinity())), d, depths + lane);
-    bits |= bits_of(d, met) << lane;
+/// Several rays and what Plane::meet has of them.
+struct PlaneMeeting {
+  using V = hn::VFromD<Doubles>;
+  using M = decltype(hn::Eq(V(), V()));
+
+  V approach;  ///< of the directions to the normal
+  V height;    ///< of the origins above the plane
+
+  HWY_INLINE PlaneMeeting(const PlaneLeaf& plane, const RayBlock& rays, std::size_t i) {
+    const Doubles d;
+    const auto x = hn::Set(d, plane.normal.x);
+    const auto y = hn::Set(d, plane.normal.y);
+    const auto z = hn::Set(d, plane.normal.z);
+    const auto load = [&](const Column<double>& column) HWY_ATTR { return hn::Load(d, column.at.data() + i); };
+    const auto& direction = rays.direction.of;
+    const auto& origin = rays.origin.of;
+    approach = dot(x, y, z, load(direction[0]), load(direction[1]), load(direction[2]));
+    height = hn::Add(dot(x, y, z, load(origin[0]), load(origin[1]), load(origin[2])), hn::Set(d, plane.offset));
   }
-  return bits;
+
+  HWY_INLINE V depth() const { return hn::Div(hn::Neg(height), approach); }
+  /// Whether a crossing there counts, beyond `min_depth`.
+  HWY_INLINE M counts(V depth, V min_depth) const {
+    const Doubles d;
+    const auto near = hn::And(hn::Ge(depth, hn::Set(d, kNearestCrossing)), hn::Gt(depth, min_depth));
+    const auto far = hn::Le(depth, hn::Set(d, kMaxDistance));
+    return hn::And(hn::Ge(hn::Abs(approach), hn::Set(d, kEpsilon)), hn::And(near, far));
+  }
+  /// False where the depth is not between the two, which are not negative; without the division. The products are off
+  /// by less than their 2^-52nd part.
+  HWY_INLINE M may_be_between(V low, V high) const {
+    const Doubles d;
+    const auto size = hn::Abs(approach);
+    // height / -approach, with the sign in the numerator.
+    const auto way = hn::Neg(hn::CopySign(height, hn::Xor(height, approach)));
+    const auto less = hn::Mul(hn::Mul(low, size), hn::Set(d, 1.0 - 0x1p-49));
+    const auto more = hn::Mul(hn::Mul(high, size), hn::Set(d, 1.0 + 0x1p-49));
+    return hn::And(hn::Ge(way, less), hn::Le(way, more));
+  }
+};
+
+/// Where a ray meets its nearest plane.
+struct PlaneHits {
+  Column<double> depth;        ///< the ray's max_depth where it meets none
+  Column<std::int64_t> plane;  ///< -1 where it meets none
+};
+
+/// Lanes whose ray does not see what hides from `hidden_from`.
+HWY_INLINE PlaneMeeting::M hidden_lanes(const RayBlock& rays, std::size_t i, std::uint8_t hidden_from) {
+  const Doubles d;
+  const hn::RebindToSigned<Doubles> di;
+  const auto bits = hn::And(hn::Load(di, rays.hidden_bit.at.data() + i), hn::Set(di, hidden_from));
+  return hn::RebindMask(d, hn::Ne(bits, hn::Zero(di)));
 }
 
-/// The first lane of the smallest.
-HWY_INLINE std::size_t least_of(const double* HWY_RESTRICT depths) {
+HWY_INLINE void meet_planes(const std::vector<PlaneLeaf>& planes, const RayBlock& rays, PlaneHits& hits) {
   const Doubles d;
-  auto least = hn::Load(d, depths);
-  for (std::size_t lane = hn::Lanes(d); lane < kLanes; lane += hn::Lanes(d)) {
-    least = hn::Min(least, hn::Load(d, depths + lane));
+  const hn::RebindToSigned<Doubles> di;
+  for (std::size_t i = 0; i < rays.size; i += hn::Lanes(d)) {
+    const auto min_depth = hn::Load(d, rays.min_depth.at.data() + i);
+    auto nearest = hn::Load(d, rays.max_depth.at.data() + i);
+    auto which = hn::Set(di, -1);
+    for (std::size_t p = 0; p < planes.size(); ++p) {
+      const PlaneMeeting meeting(planes[p], rays, i);
+      const auto depth = meeting.depth();
+      // Of equal depths the first is of the lowest solid.
+      auto met = hn::And(meeting.counts(depth, min_depth), hn::Lt(depth, nearest));
+      if (planes[p].head.hidden_from != 0) met = hn::AndNot(hidden_lanes(rays, i, planes[p].head.hidden_from), met);
+      nearest = hn::IfThenElse(met, depth, nearest);
+      which = hn::IfThenElse(hn::RebindMask(di, met), hn::Set(di, static_cast<std::int64_t>(p)), which);
+    }
+    hn::Store(nearest, d, hits.depth.at.data() + i);
+    hn::Store(which, di, hits.plane.at.data() + i);
   }
-  least = hn::MinOfLanes(d, least);
-  unsigned bits = 0;
-  for (std::size_t lane = 0; lane < kLanes; lane += hn::Lanes(d)) {
-    bits |= bits_of(d, hn::Eq(hn::Load(d, depths + lane), least)) << lane;
+}
+
+/// Bits of the rays that opaque planes block.
+HWY_INLINE std::uint64_t blocked_by_planes(const std::vector<PlaneLeaf>& planes, const RayBlock& rays) {
+  const Doubles d;
+  std::uint64_t blocked = 0;
+  for (std::size_t i = 0; i < rays.size; i += hn::Lanes(d)) {
+    const auto min_depth = hn::Load(d, rays.min_depth.at.data() + i);
+    const auto max_depth = hn::Load(d, rays.max_depth.at.data() + i);
+    const auto low = hn::Max(min_depth, hn::Set(d, kNearestCrossing));
+    for (const PlaneLeaf& plane : planes) {
+      if (!plane.head.opaque) continue;
+      const PlaneMeeting meeting(plane, rays, i);
+      if (hn::AllFalse(d, meeting.may_be_between(low, max_depth))) continue;
+      const auto depth = meeting.depth();
+      auto met = hn::And(meeting.counts(depth, min_depth), hn::Lt(depth, max_depth));
+      if (plane.head.hidden_from != 0) met = hn::AndNot(hidden_lanes(rays, i, plane.head.hidden_from), met);
+      blocked |= std::uint64_t{bits_of(d, met)} << i;
+    }
   }
-  return static_cast<std::size_t>(__builtin_ctz(bits));
+  return blocked & ~std::uint64_t{0} >> (kRaysAtOnce - rays.size);
 }
 
 }  // namespace HWY_NAMESPACE

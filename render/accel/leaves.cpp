@@ -43,7 +43,7 @@ Leaves::Leaves(const Scene& scene) {
       head.part = solid.part;
     }
     if (const auto* plane = dynamic_cast<const Plane*>(head.shape)) {
-      add_plane(*plane, head);
+      planes.push_back({plane->unit_normal(), plane->offset(), head});
       continue;
     }
     const FloatBox bounds(solid.box);
@@ -76,16 +76,6 @@ Leaves::Leaves(const Scene& scene) {
       beside.push_back(ref);
     }
   }
-}
-
-void Leaves::add_plane(const Plane& plane, const LeafHead& head) {
-  const std::size_t lane = planes.size() % kLanes;
-  if (lane == 0) plane_blocks.push_back(PlaneBlock{});
-  PlaneBlock& block = plane_blocks.back();
-  for (int axis = 0; axis < 3; ++axis) block.normal[axis][lane] = plane.unit_normal()[axis];
-  block.offset[lane] = plane.offset();
-  block.hidden_from |= head.hidden_from;
-  planes.push_back(head);
 }
 
 void Leaves::add_block(const std::vector<RoundSphere>& all, const SphereGroup& group) {

@@ -21,7 +21,7 @@ struct LeafHead {
   bool opaque = false;  ///< for a solid of several parts: any of them
 };
 
-/// How many spheres or planes are tested at once.
+/// How many spheres are tested at once.
 constexpr std::size_t kLanes = 8;
 
 /// Eight spheres side by side. An unused lane has a radius squared of minus infinity, so no ray meets it.
@@ -29,11 +29,10 @@ struct alignas(64) SphereBlock {
   double center[3][kLanes];
   double radius_squared[kLanes];
 };
-/// Eight planes side by side. An unused lane has a normal of zero, so no ray meets it.
-struct alignas(64) PlaneBlock {
-  double normal[3][kLanes];
-  double offset[kLanes];
-  std::uint8_t hidden_from;  ///< the bits of any of them
+struct PlaneLeaf {
+  Vec3 normal;
+  double offset;
+  LeafHead head;
 };
 
 /// What is asked of a sphere after it was met: lane l of block b is leaf 8 b + l.
@@ -59,10 +58,9 @@ struct Leaves {
   std::vector<SphereLeaf> spheres;
   std::vector<BoxLeaf> boxes;
   std::vector<SolidLeaf> solids;
-  std::vector<PlaneBlock> plane_blocks;  ///< met by every ray, in the order of their solids, as are the next
-  std::vector<LeafHead> planes;          ///< lane l of block b is plane 8 b + l
-  std::vector<ChildRef> beside;          ///< leaves whose box does not fit a tree
-  std::vector<bool> opaque_parts;        ///< Part::opaque of each part
+  std::vector<PlaneLeaf> planes;   ///< met by every ray, in the order of their solids
+  std::vector<ChildRef> beside;    ///< leaves whose box does not fit a tree
+  std::vector<bool> opaque_parts;  ///< Part::opaque of each part
   WideTree tree;
 
   explicit Leaves(const Scene& scene);
@@ -73,12 +71,11 @@ struct Leaves {
     SphereLeaf leaf;
   };
 
-  void add_plane(const Plane& plane, const LeafHead& head);
   void add_block(const std::vector<RoundSphere>& all, const SphereGroup& group);
 };
 
 // The bodies of the hierarchy's traversal, for the best instruction set that the machine has.
-void find_closest(const Leaves& leaves, std::span<const RayQuery> queries, std::span<Hit> hits);
-void find_occluded(const Leaves& leaves, std::span<const RayQuery> queries, std::span<std::uint8_t> blocked);
+void find_closest(const Leaves& leaves, const RayBlock& rays, std::span<Hit> hits);
+std::uint64_t find_occluded(const Leaves& leaves, const RayBlock& rays);
 
 }  // namespace firstlight::render

@@ -7,6 +7,7 @@
 #include <hwy/foreach_target.h>
 #include <hwy/highway.h>
 
+#include <algorithm>
 #include <limits>
 #include <optional>
 #include <vector>
@@ -30,9 +31,12 @@ std::vector<Crossing>& scratch_of_thread() {
 /// away from the object; were it taken, the answer could depend on which subtree is visited first.
 class ClosestSearch {
  public:
-  ClosestSearch(const Leaves& leaves, const RayQuery& query) : leaves_(leaves), query_(query) {
-    hit_.depth = query.max_depth;
+  /// `plane`: the nearest, met at `depth`; null for none, with `depth` as the query's max_depth.
+  ClosestSearch(const Leaves& leaves, const RayQuery& query, const PlaneLeaf* plane, double depth)
+      : leaves_(leaves), query_(query) {
+    hit_.depth = depth;
     hit_.solid = 0;  // a crossing at exactly max_depth must not win the tie
+    if (plane != nullptr) hit_ = {depth, plane->head.part, 0, plane->head.shape, plane->head.solid};
   }
 
   double limit() const { return hit_.depth; }
@@ -41,24 +45,6 @@ class ClosestSearch {
     return hit_;
   }
 
-  void visit_planes() {
-    alignas(64) double depths[kLanes];
-    for (std::size_t block = 0; block < leaves_.plane_blocks.size(); ++block) {
-      unsigned bits = meet_planes(leaves_.plane_blocks[block], query_, limit(), depths);
-      if (bits == 0) continue;
-      if ((leaves_.plane_blocks[block].hidden_from & query_.hidden_bit) == 0) {
-        // Of equal depths the first is of the lowest solid.
-        const std::size_t lane = least_of(depths);
-        offer(depths[lane], 0, leaves_.planes[block * kLanes + lane], 0.0);
-        continue;
-      }
-      for (; bits != 0; bits &= bits - 1) {
-        const auto lane = static_cast<std::size_t>(__builtin_ctz(bits));
-        const LeafHead& head = leaves_.planes[block * kLanes + lane];
-        if (!hidden(head)) offer(depths[lane], 0, head, 0.0);
-      }
-    }
-  }
   HWY_INLINE void visit(ChildRef ref) {
     if (ref.kind() != ChildKind::sphere) {
       visit_other(ref);
@@ -128,17 +114,6 @@ class BlockingSearch {
 
   double limit() const { return query_.max_depth; }
 
-  bool visit_planes() const {
-    alignas(64) double depths[kLanes];
-    for (std::size_t block = 0; block < leaves_.plane_blocks.size(); ++block) {
-      unsigned bits = meet_planes(leaves_.plane_blocks[block], query_, limit(), depths);
-      for (; bits != 0; bits &= bits - 1) {
-        const auto lane = static_cast<std::size_t>(__builtin_ctz(bits));
-        if (!transparent(leaves_.planes[block * kLanes + lane]) && blocks(depths[lane], 0.0)) return true;
-      }
-    }
-    return false;
-  }
   HWY_INLINE bool visit(ChildRef ref) const {
     if (ref.kind() != ChildKind::sphere) return visit_other(ref);
     SphereCrossings at;
@@ -285,16 +260,27 @@ HWY_NOINLINE bool walk_exactly(const WideTree& tree, const RayQuery& query, cons
   return walk(tree, ExactRay(query), search);
 }
 
-void closest_of_block(const Leaves& leaves, std::span<const RayQuery> queries, std::span<Hit> hits) {
-  for (std::size_t i = 0; i < queries.size(); ++i) {
-    const RayQuery& query = queries[i];
-    ClosestSearch search(leaves, query);
-    search.visit_planes();
+RayQuery query_of(const RayBlock& rays, std::size_t i) {
+  return {{rays.origin.vector(i), rays.direction.vector(i)},
+          rays.min_depth[i],
+          rays.max_depth[i],
+          static_cast<std::uint8_t>(rays.hidden_bit[i])};
+}
+
+void closest_of_block(const Leaves& leaves, const RayBlock& rays, std::span<Hit> hits) {
+  PlaneHits planes;
+  meet_planes(leaves.planes, rays, planes);
+  const FloatRays float_rays(rays, planes.depth, leaves.tree);
+  const bool has_tree = !leaves.tree.nodes().empty();
+  for (std::size_t i = 0; i < rays.size; ++i) {
+    const RayQuery query = query_of(rays, i);
+    const PlaneLeaf* plane = planes.plane[i] >= 0 ? &leaves.planes[static_cast<std::size_t>(planes.plane[i])] : nullptr;
+    ClosestSearch search(leaves, query, plane, planes.depth[i]);
     for (const ChildRef ref : leaves.beside) search.visit(ref);
-    if (!leaves.tree.nodes().empty()) {
-      if (const FloatRay ray(query, leaves.tree.float_limits()); ray.usable()) {
-        walk(leaves.tree, ray, search);
-      } else {
+    if (has_tree) {
+      if ((float_rays.near >> i & 1u) != 0) {
+        walk(leaves.tree, FloatRay(float_rays, i), search);
+      } else if ((float_rays.usable >> i & 1u) == 0) {
         walk_exactly(leaves.tree, query, search);
       }
     }
@@ -302,23 +288,30 @@ void closest_of_block(const Leaves& leaves, std::span<const RayQuery> queries, s
   }
 }
 
-bool is_blocked(const Leaves& leaves, const RayQuery& query) {
-  const BlockingSearch search(leaves, query);
-  if (!leaves.tree.nodes().empty()) {
-    if (const FloatRay ray(query, leaves.tree.float_limits()); ray.usable()) {
-      if (walk(leaves.tree, ray, search)) return true;
-    } else {
-      if (walk_exactly(leaves.tree, query, search)) return true;
-    }
+std::uint64_t occluded_of_block(const Leaves& leaves, const RayBlock& rays) {
+  std::uint64_t blocked = blocked_by_planes(leaves.planes, rays);
+  const FloatRays float_rays(rays, rays.max_depth, leaves.tree);
+  const std::uint64_t all = ~std::uint64_t{0} >> (kRaysAtOnce - rays.size);
+  std::uint64_t open = all & ~blocked;
+  if (leaves.tree.nodes().empty()) open = 0;
+  for (std::uint64_t left = open & (float_rays.near | ~float_rays.usable); left != 0; left &= left - 1) {
+    const auto i = static_cast<std::size_t>(__builtin_ctzll(left));
+    const RayQuery query = query_of(rays, i);
+    const BlockingSearch search(leaves, query);
+    const bool is_blocked = (float_rays.near >> i & 1u) != 0 ? walk(leaves.tree, FloatRay(float_rays, i), search)
+                                                             : walk_exactly(leaves.tree, query, search);
+    blocked |= std::uint64_t{is_blocked} << i;
   }
-  for (const ChildRef ref : leaves.beside) {
-    if (search.visit(ref)) return true;
+  if (leaves.beside.empty()) return blocked;
+  for (std::uint64_t left = all & ~blocked; left != 0; left &= left - 1) {
+    const auto i = static_cast<std::size_t>(__builtin_ctzll(left));
+    const RayQuery query = query_of(rays, i);
+    const BlockingSearch search(leaves, query);
+    const bool is_blocked =
+        std::any_of(leaves.beside.begin(), leaves.beside.end(), [&](ChildRef ref) { return search.visit(ref); });
+    blocked |= std::uint64_t{is_blocked} << i;
   }
-  return search.visit_planes();
-}
-
-void occluded_of_block(const Leaves& leaves, std::span<const RayQuery> queries, std::span<std::uint8_t> blocked) {
-  for (std::size_t i = 0; i < queries.size(); ++i) blocked[i] = is_blocked(leaves, queries[i]) ? 1 : 0;
+  return blocked;
 }
 
 }  // namespace HWY_NAMESPACE
@@ -331,12 +324,12 @@ namespace firstlight::render {
 HWY_EXPORT(closest_of_block);
 HWY_EXPORT(occluded_of_block);
 
-void find_closest(const Leaves& leaves, std::span<const RayQuery> queries, std::span<Hit> hits) {
-  HWY_DYNAMIC_DISPATCH(closest_of_block)(leaves, queries, hits);
+void find_closest(const Leaves& leaves, const RayBlock& rays, std::span<Hit> hits) {
+  HWY_DYNAMIC_DISPATCH(closest_of_block)(leaves, rays, hits);
 }
 
-void find_occluded(const Leaves& leaves, std::span<const RayQuery> queries, std::span<std::uint8_t> blocked) {
-  HWY_DYNAMIC_DISPATCH(occluded_of_block)(leaves, queries, blocked);
+std::uint64_t find_occluded(const Leaves& leaves, const RayBlock& rays) {
+  return HWY_DYNAMIC_DISPATCH(occluded_of_block)(leaves, rays);
 }
 
 }  // namespace firstlight::render

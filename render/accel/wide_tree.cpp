@@ -61,7 +61,8 @@ class Flattener {
             std::vector<SphereGroup>& groups)
       : items_(items), boxes_(boxes), nodes_(nodes), groups_(groups) {}
 
-  void flatten(const BuildNode& root) { add_node(root, 1); }
+  /// Returns the box of everything.
+  FloatBox flatten(const BuildNode& root) { return with_room(add_node(root, 1).box); }
   std::size_t depth() const { return depth_; }
 
  private:
@@ -214,7 +215,7 @@ WideTree::WideTree(std::span<const TreeItem> items) {
 
   nodes_.reserve(items.size() / 4 + 1);
   Flattener flattener(items, boxes, nodes_, sphere_groups_);
-  flattener.flatten(*root);
+  bounds_ = flattener.flatten(*root);
   built_ = flattener.depth() <= kTreeDepth;
   if (!built_) {
     nodes_.clear();

@@ -72,11 +72,14 @@ class WideTree {
   const std::vector<WideNode>& nodes() const { return nodes_; }
   /// What the references to spheres in nodes() stand for.
   const std::vector<SphereGroup>& sphere_groups() const { return sphere_groups_; }
+  /// Of all nodes, with the same room.
+  const FloatBox& bounds() const { return bounds_; }
   const FloatLimits& float_limits() const { return float_limits_; }
 
  private:
   std::vector<WideNode> nodes_;
   std::vector<SphereGroup> sphere_groups_;
+  FloatBox bounds_;
   FloatLimits float_limits_;
   bool built_ = true;
 };

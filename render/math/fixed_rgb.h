@@ -42,24 +42,25 @@ struct FixedRgb {
   }
   /// One channel's steps as a number, white being 1.
   static double to_double(std::int64_t steps) { return static_cast<double>(steps) / kStepsPerUnit; }
-
- private:
-  static constexpr int kStepBits = 36;
-  static constexpr double kStepsPerUnit = 68719476736.0;  // 2^36
-  static constexpr float kLimit = 16777216.0f;            // 2^24
-
+  /// One channel's value in steps, as from() has it.
   static std::int64_t to_fixed(float value) {
     if (!(std::abs(value) <= kLimit)) return std::isnan(value) ? 0 : to_fixed(std::copysign(kLimit, value));
     const double steps = static_cast<double>(value) * kStepsPerUnit;
     return static_cast<std::int64_t>(steps + std::copysign(0.5, steps));
   }
+
+  static constexpr int kStepBits = 36;
+  static constexpr double kStepsPerUnit = 68719476736.0;  ///< 2^36
+  static constexpr float kLimit = 16777216.0f;            ///< 2^24
+  static constexpr int kLargestShift = 42;                ///< a mantissa of 18 bits stays below the limit
+
+ private:
   /// mantissa * 2^shift, rounded.
   static std::int64_t shifted(std::int64_t mantissa, int shift) {
     if (shift >= 0) return mantissa * (std::int64_t{1} << shift);
     if (shift < -kLargestShift) return 0;
     return (mantissa + (std::int64_t{1} << (-shift - 1))) >> -shift;
   }
-  static constexpr int kLargestShift = 42;  // a mantissa of 18 bits stays below the limit
   static float to_float(std::int64_t steps) { return static_cast<float>(to_double(steps)); }
 };
 

@@ -23,6 +23,15 @@ class PackedRgb {
             rounded(color.z * scale) << (2 * kMantissaBits) | std::uint64_t{exponent} << (3 * kMantissaBits);
   }
 
+  /// Pre: `bits` came from bits(), or are laid out as the members below have it.
+  static PackedRgb from_bits(std::uint64_t bits) {
+    PackedRgb packed;
+    packed.bits_ = bits;
+    return packed;
+  }
+  /// 0 for black and for nothing else.
+  std::uint64_t bits() const { return bits_; }
+
   Rgb unpack() const {
     const std::uint32_t exponent = biased_exponent();
     if (exponent == 0) return Rgb(0.0f);
@@ -39,18 +48,18 @@ class PackedRgb {
   std::uint32_t biased_exponent() const { return static_cast<std::uint32_t>(bits_ >> (3 * kMantissaBits)); }
   static constexpr int kExponentOfOne = 143;
 
- private:
-  static constexpr std::uint32_t kBias = 127;  // of a float's exponent
+  static constexpr std::uint32_t kBias = 127;  ///< of a float's exponent
   static constexpr std::uint32_t kMantissaBits = 18;
-  static constexpr std::uint32_t kSmallest = 17;
+  static constexpr std::uint32_t kSmallest = 17;  ///< biased exponent below which a colour is black
   static constexpr float kLargestMantissa = 131071.0f;
 
+ private:
   static float power_of_two(std::uint32_t biased) { return std::bit_cast<float>(biased << 23); }
   static std::uint64_t rounded(float scaled) {
     const float away = std::clamp(scaled, -kLargestMantissa, kLargestMantissa) + std::copysign(0.5f, scaled);
     return static_cast<std::uint32_t>(static_cast<std::int32_t>(away)) & ((1u << kMantissaBits) - 1);
   }
-  std::uint64_t bits_ = 0;
+  std::uint64_t bits_ = 0;  // mantissas from the lowest bit on, then the exponent
 };
 
 }  // namespace firstlight::render

@@ -1,6 +1,5 @@
 #include "render/trace/radiance_bound.h"
 
-#include "render/math/fixed_rgb.h"
 #include "render/trace/surface_limits.h"
 
 #include <algorithm>
@@ -51,19 +50,14 @@ RadianceBound::RadianceBound(const Scene& scene) {
   }
 }
 
-std::int64_t RadianceBound::at_stake(const RayTask& task) const {
-  if (task.kind == RayKind::shadow) {
-    FixedRgb sum;
-    // The added step is for what the light that passes may be rounded by.
-    task.for_each_feeler([&](std::uint32_t, const PackedRgb& packed) {
-      const FixedRgb light = FixedRgb::from(packed);
-      sum += {1 + std::abs(light.r), 1 + std::abs(light.g), 1 + std::abs(light.b)};
-    });
-    return sum.max_magnitude();
-  }
-  const bool continued = (task.flags & RayTask::kContinued) != 0;
-  const float most = this->most(continued && task.level > 0 ? task.level - 1 : task.level);
-  return 1 + FixedRgb::from(Rgb(max_magnitude(task.radiance.weight()) * most)).r;
+std::int64_t RadianceBound::of_feelers(const RayTask& task) {
+  FixedRgb sum;
+  // The added step is for what the light that passes may be rounded by.
+  task.for_each_feeler([&](std::uint32_t, const PackedRgb& packed) {
+    const FixedRgb light = FixedRgb::from(packed);
+    sum += {1 + std::abs(light.r), 1 + std::abs(light.g), 1 + std::abs(light.b)};
+  });
+  return sum.max_magnitude();
 }
 
 }  // namespace firstlight::render

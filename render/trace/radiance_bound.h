@@ -1,5 +1,6 @@
 #pragma once
 
+#include "render/math/fixed_rgb.h"
 #include "render/scene/scene.h"
 #include "render/trace/ray_task.h"
 
@@ -30,9 +31,16 @@ class RadianceBound {
 
   /// The most that a task can still change any channel of its sample; at least 1, so that the sum over the tasks of a
   /// sample is 0 exactly when none is left.
-  std::int64_t at_stake(const RayTask& task) const;
+  std::int64_t at_stake(const RayTask& task) const {
+    if (task.kind == RayKind::shadow) return of_feelers(task);
+    const bool continued = (task.flags & RayTask::kContinued) != 0;
+    const float most = this->most(continued && task.level > 0 ? task.level - 1 : task.level);
+    return 1 + FixedRgb::to_fixed(max_magnitude(task.radiance.weight()) * most);
+  }
 
  private:
+  static std::int64_t of_feelers(const RayTask& task);
+
   std::vector<float> most_;  // by level
   bool known_ = true;
 };

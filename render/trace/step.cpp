@@ -3,15 +3,14 @@
 #include "render/trace/fade.h"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 
 namespace firstlight::render {
 namespace {
 
-// POV-Ray 3.7's distances, in scene units: a radiance ray leaves its origin's surface behind at kNearestHit; a
-// feeler ignores what is closer than kShadowGap to either of its ends.
+// POV-Ray 3.7's distances, in scene units: a radiance ray leaves its origin's surface behind at kNearestHit.
 constexpr double kNearestHit = 1e-4;
-constexpr double kShadowGap = 1e-3;
 constexpr double kFarthestHit = 1e17;
 constexpr double kNegligible = 1e-10;
 
@@ -34,73 +33,115 @@ Stepper::Stepper(const TraceContext& context)
     : context_(context),
       bound_(context.scene),
       has_transparent_casters_(std::any_of(context.scene.parts.begin(), context.scene.parts.end(),
-                                           [](const Part& part) { return !part.opaque; })) {}
+                                           [](const Part& part) { return !part.opaque; })),
+      rays_(std::make_unique<RayBlock>()),
+      block_(std::make_unique<HitBlock>()),
+      feelers_(std::make_unique<FeelerBlock>()) {
+  for (const Light& light : context.scene.lights) {
+    light_places_.push_back({light.position.x, light.position.y, light.position.z, 0.0});
+  }
+}
 
 void Stepper::step(std::span<const RayTask> tasks) {
-  light_.clear();
-  spawned_.clear();
+  begin(tasks);
   // Blocks from the queue hold one kind; whatever comes mixed is cut into runs.
-  for (std::size_t begin = 0; begin < tasks.size();) {
-    const bool shadow = tasks[begin].kind == RayKind::shadow;
-    std::size_t end = begin + 1;
-    while (end < tasks.size() && (tasks[end].kind == RayKind::shadow) == shadow) ++end;
+  for (std::size_t first = 0; first < tasks.size();) {
+    const bool shadow = tasks[first].kind == RayKind::shadow;
+    const std::size_t most = std::min(tasks.size() - first, kRaysAtOnce);
+    std::size_t count = 1;
+    while (count < most && (tasks[first + count].kind == RayKind::shadow) == shadow) ++count;
+    const std::span<const RayTask> run = tasks.subspan(first, count);
+    const std::span<Contribution> light = std::span(light_).subspan(first, count);
     if (shadow) {
-      step_shadow(tasks.subspan(begin, end - begin));
+      step_shadow(run, light);
     } else {
-      step_radiance(tasks.subspan(begin, end - begin), {});
+      step_radiance(run, {}, light);
     }
-    begin = end;
+    first += count;
   }
 }
 
 void Stepper::step_primary(std::span<const RayTask> tasks, std::span<const Ray> rays) {
-  light_.clear();
+  begin(tasks);
+  for (std::size_t first = 0; first < tasks.size(); first += kRaysAtOnce) {
+    const std::size_t count = std::min(tasks.size() - first, kRaysAtOnce);
+    step_radiance(tasks.subspan(first, count), rays.subspan(first, count), std::span(light_).subspan(first, count));
+  }
+}
+
+void Stepper::begin(std::span<const RayTask> tasks) {
   spawned_.clear();
-  step_radiance(tasks, rays);
+  light_.resize(tasks.size());
 }
 
-void Stepper::step_radiance(std::span<const RayTask> tasks, std::span<const Ray> rays) {
-  queries_.resize(tasks.size());
-  hits_.resize(tasks.size());
+void Stepper::step_radiance(std::span<const RayTask> tasks, std::span<const Ray> rays, std::span<Contribution> light) {
+  RayBlock& block = *rays_;
+  block.size = tasks.size();
   for (std::size_t i = 0; i < tasks.size(); ++i) {
-    counts_.of(tasks[i].kind)++;
-    const Ray ray = rays.empty() ? Ray{tasks[i].origin, tasks[i].radiance.direction.unpack()} : rays[i];
-    queries_[i] = {ray, kNearestHit, kFarthestHit, hidden_bit(tasks[i])};
+    const RayTask& task = tasks[i];
+    counts_.of(task.kind)++;
+    block.origin.set(i, task.origin);
+    packed_directions_[i] = std::bit_cast<std::int64_t>(task.radiance.direction);
+    block.min_depth[i] = kNearestHit;
+    block.max_depth[i] = kFarthestHit;
+    block.hidden_bit[i] = hidden_bit(task);
   }
-  context_.accel.closest(queries_, hits_);
+  if (rays.empty()) {
+    unpack_directions(packed_directions_, tasks.size(), block.direction);
+  } else {
+    for (std::size_t i = 0; i < tasks.size(); ++i) block.direction.set(i, rays[i].direction);
+  }
+  context_.accel.closest(block, hits_);
+  surfaces_.clear();
+  layers_.clear();
+  block_->begin(tasks.size());
   for (std::size_t i = 0; i < tasks.size(); ++i) {
+    const RayTask& task = tasks[i];
+    light[i] = {task.sample, {}, -bound_.at_stake(task)};
     if (hits_[i].part == kNoIndex) {
-      add_light(tasks[i].radiance.weight() * context_.scene.settings.background);
+      light[i].light = FixedRgb::from(task.radiance.weight() * context_.scene.settings.background);
     } else {
-      shade(tasks[i], queries_[i].ray, hits_[i]);
+      meet(task, {task.origin, block.direction.vector(i)}, hits_[i], light[i]);
     }
-    finish(tasks[i]);
   }
+  if (!surfaces_.empty()) shade();
 }
 
-void Stepper::step_shadow(std::span<const RayTask> tasks) {
-  queries_.clear();
-  for (const RayTask& task : tasks) {
-    task.for_each_feeler([&](std::uint32_t light, const PackedRgb&) {
-      const Illumination lit = illuminate(context_.scene.lights[light], task.origin);
-      queries_.push_back({{task.origin, lit.direction}, kShadowGap, lit.distance - kShadowGap, kHiddenFromShadow});
-    });
+void Stepper::step_shadow(std::span<const RayTask> tasks, std::span<Contribution> light) {
+  FeelerBlock& block = *feelers_;
+  block.begin(tasks.size());
+  std::size_t feelers = 0;
+  for (std::size_t i = 0; i < tasks.size(); ++i) {
+    const RayTask& task = tasks[i];
+    block.origin.set(i, task.origin);
+    std::size_t slot = 0;
+    task.for_each_feeler([&](std::uint32_t which, PackedRgb at_stake) { block.add(i, slot++, which, at_stake); });
+    feelers += slot;
   }
-  counts_.of(RayKind::shadow) += queries_.size();
-  blocked_.resize(queries_.size());
-  context_.accel.occluded(queries_, blocked_);
-  std::size_t i = 0;
-  for (const RayTask& task : tasks) {
-    task.for_each_feeler([&](std::uint32_t, const PackedRgb& at_stake) {
-      const RayQuery& query = queries_[i];
-      if (blocked_[i++] != 0) {
-        sum_ -= FixedRgb::from(at_stake);
-      } else if (has_transparent_casters_) {
-        const Rgb passed = passing_light(task.medium, query.ray, query.max_depth + kShadowGap);
-        if (passed != Rgb(1.0f)) add_light(at_stake.unpack() * (passed - Rgb(1.0f)));
-      }
-    });
-    finish(task);
+  counts_.of(RayKind::shadow) += feelers;
+  aim_feelers(block, light_places_);
+  for (std::size_t s = 0; s < block.slot_count; ++s) {
+    FeelerBlock::Slot& slot = block.slots[s];
+    slot.blocked = context_.accel.occluded(slot.rays);
+  }
+  take_back(block);
+  for (std::size_t i = 0; i < tasks.size(); ++i) {
+    light[i] = {tasks[i].sample, {block.sum.of[0][i], block.sum.of[1][i], block.sum.of[2][i]}, -block.at_stake[i]};
+  }
+  if (has_transparent_casters_) let_through(tasks, light);
+}
+
+void Stepper::let_through(std::span<const RayTask> tasks, std::span<Contribution> light) {
+  for (std::size_t s = 0; s < feelers_->slot_count; ++s) {
+    const FeelerBlock::Slot& slot = feelers_->slots[s];
+    for (std::size_t i = 0; i < tasks.size(); ++i) {
+      if (slot.at_stake[i] == 0 || (slot.blocked >> i & 1u) != 0) continue;
+      const Ray feeler{tasks[i].origin, slot.rays.direction.vector(i)};
+      const Rgb passed = passing_light(tasks[i].medium, feeler, slot.rays.max_depth[i] + kShadowGap);
+      if (passed == Rgb(1.0f)) continue;
+      const Rgb at_stake = PackedRgb::from_bits(slot.at_stake[i]).unpack();
+      light[i].light += FixedRgb::from(at_stake * (passed - Rgb(1.0f)));
+    }
   }
 }
 
@@ -139,23 +180,17 @@ Rgb Stepper::passing_light(std::uint32_t medium, Ray ray, double distance) const
   return passed;
 }
 
-void Stepper::finish(const RayTask& task) {
-  light_.push_back({task.sample, sum_, spawned_at_stake_ - bound_.at_stake(task)});
-  sum_ = FixedRgb();
-  spawned_at_stake_ = 0;
-}
-
-void Stepper::spawn(const RayTask& task) {
+void Stepper::spawn(const Surface& surface, const RayTask& task) {
   if (is_black(task.radiance.weight())) return;
   spawned_.push_back(task);
-  spawned_at_stake_ += bound_.at_stake(task);
+  surface.sum->outstanding += bound_.at_stake(task);
 }
 
-void Stepper::add_sealed(RayTask root, const Rgb& weight, double exponent) {
+void Stepper::add_sealed(const Surface& surface, RayTask root, const Rgb& weight, double exponent) {
   root.radiance.set_weight(Rgb(1.0f));
   const Rgb color = trace_sealed(root);
   const auto power = [exponent](float c) { return c > 0.0f ? static_cast<float>(std::pow(c, exponent)) : 0.0f; };
-  add_light(weight * Rgb(power(color.x), power(color.y), power(color.z)));
+  surface.sum->light += FixedRgb::from(weight * Rgb(power(color.x), power(color.y), power(color.z)));
 }
 
 Rgb Stepper::trace_sealed(const RayTask& root) {

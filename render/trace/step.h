@@ -3,6 +3,7 @@
 #include "render/accel/accel.h"
 #include "render/math/fixed_rgb.h"
 #include "render/scene/scene.h"
+#include "render/trace/hit_block.h"
 #include "render/trace/medium_table.h"
 #include "render/trace/radiance_bound.h"
 #include "render/trace/ray_task.h"
@@ -56,48 +57,55 @@ class Stepper {
   const RayCounts& counts() const { return counts_; }
 
  private:
-  /// A layer of the texture that was met, as far as it matters to lights and reflections.
+  /// A layer of the texture that was met, as far as it matters to reflections.
   struct Layer {
-    const Finish* finish = nullptr;
-    Rgb color;             ///< of the pigment
-    Rgb filter;            ///< what the layers above let through
-    double opacity = 1.0;  ///< brightness left to the layer's own light
-    double adc_weight = 1.0;
+    const Finish* finish;
     Rgb reflection;
+    double adc_weight;
   };
   /// A hit with all that shading reads again and again.
   struct Surface {
-    const RayTask& task;
-    const Part& part;
-    const Interior& interior;
-    Vec3 direction;  ///< of the ray that met it
+    const RayTask* task;
+    const Part* part;
+    Contribution* sum;  ///< of the task
+    Vec3 direction;     ///< of the ray that met it
     Vec3 point;
     Vec3 normal;  ///< unit, towards the ray's origin
     double depth;
-    int level;  ///< of everything spawned here
+    int level;   ///< of everything spawned here
+    Rgb filter;  ///< what all layers let through
+    std::size_t first_layer;
+    std::size_t layer_count;
+    std::size_t open_record;  ///< of feelers, that may take more; kNoRecord: none
   };
+  static constexpr std::size_t kNoRecord = ~std::size_t{0};
 
-  /// `rays` are those of `tasks`; empty: to be unpacked from the tasks.
-  void step_radiance(std::span<const RayTask> tasks, std::span<const Ray> rays);
-  void step_shadow(std::span<const RayTask> tasks);
-  void shade(const RayTask& task, const Ray& ray, const Hit& hit);
-  /// Fills layers_ and adds the light that needs no light source; returns what all layers let through.
-  Rgb shade_layers(const Surface& surface, const PlacedTexture& texture);
-  void shade_lights(const Surface& surface);
+  void begin(std::span<const RayTask> tasks);
+  /// At most kRaysAtOnce tasks, whose contributions go to `light`; `rays` are those of `tasks`, empty: to be unpacked
+  /// from the tasks.
+  void step_radiance(std::span<const RayTask> tasks, std::span<const Ray> rays, std::span<Contribution> light);
+  void step_shadow(std::span<const RayTask> tasks, std::span<Contribution> light);
+
+  /// Takes back what transparent things keep of the light of feelers that nothing opaque blocks.
+  void let_through(std::span<const RayTask> tasks, std::span<Contribution> light);
+
+  /// Adds the surface to surfaces_ and block_, unless it takes the light and gives none.
+  void meet(const RayTask& task, const Ray& ray, const Hit& hit, Contribution& sum);
+  void meet_layers(Surface& surface, const PlacedTexture& texture);
+  /// Lights all that was met, and lets it send on its rays.
+  void shade();
+  void spawn_feelers(std::uint32_t first_light, std::size_t light_count);
+  void add_feeler(Surface& surface, std::uint32_t light, PackedRgb at_stake);
   /// Returns true where the ray cannot leave and is reflected instead (total internal reflection).
-  bool spawn_transmission(const Surface& surface, const Rgb& filter);
-  void spawn_reflections(const Surface& surface);
+  bool spawn_transmission(const Surface& surface);
+  void spawn_reflections(const Surface& surface, PackedDirection mirrored);
   Rgb reflectivity(const Surface& surface, const Finish& finish, const Rgb& color, double& adc_weight) const;
   double relative_ior(const Surface& surface) const;
 
-  /// Adds to the sum of the task at hand.
-  void add_light(const Rgb& light) { sum_ += FixedRgb::from(light); }
-  /// Hands the sum to the film, with what `task` and its children change of the light outstanding, and begins a new one.
-  void finish(const RayTask& task);
   RayTask child_of(const Surface& surface, RayKind kind) const;
-  void spawn(const RayTask& task);
+  void spawn(const Surface& surface, const RayTask& task);
   /// Adds weight * colour(root) ^ exponent: not a sum over rays, so the subtree is evaluated here, depth first.
-  void add_sealed(RayTask root, const Rgb& weight, double exponent);
+  void add_sealed(const Surface& surface, RayTask root, const Rgb& weight, double exponent);
   Rgb trace_sealed(const RayTask& root);
   /// Share of the light that passes all that is between the feeler's origin and `distance`.
   Rgb passing_light(std::uint32_t medium, Ray ray, double distance) const;
@@ -105,13 +113,14 @@ class Stepper {
   TraceContext context_;
   RadianceBound bound_;
   bool has_transparent_casters_ = false;
-  std::vector<RayQuery> queries_;
-  std::vector<Hit> hits_;
-  std::vector<std::uint8_t> blocked_;
+  std::vector<LightPlace> light_places_;
+  std::unique_ptr<RayBlock> rays_;
+  Column<std::int64_t> packed_directions_;
+  std::array<Hit, kRaysAtOnce> hits_;
+  std::vector<Surface> surfaces_;
   std::vector<Layer> layers_;
-  std::vector<Illumination> arriving_;  ///< from each light, at the surface at hand
-  FixedRgb sum_;
-  std::int64_t spawned_at_stake_ = 0;  ///< of what the task at hand has spawned
+  std::unique_ptr<HitBlock> block_;
+  std::unique_ptr<FeelerBlock> feelers_;
   std::vector<Contribution> light_;
   std::vector<RayTask> spawned_;
   std::unique_ptr<Stepper> sealed_;  ///< made when first needed

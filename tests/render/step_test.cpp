@@ -246,13 +246,12 @@ TEST(Step, BatchesDoNotShowInThePicture) {
   const auto render = [&](std::size_t batch) {
     Stepper stepper(scene.context());
     Film film(24, 16);
-    const PrimaryTiles tiles(scene.scene(), scene.context().media, 24, 16);
-    std::vector<RayTask> waiting;
-    for (std::uint32_t tile = 0; tile < tiles.count(); ++tile) {
-      PrimaryBatch primaries;
-      tiles.fill(tile, primaries);
-      waiting.insert(waiting.end(), primaries.tasks.begin(), primaries.tasks.end());
+    const PrimaryRays rays(scene.scene(), scene.context().media, 24, 16);
+    PrimaryBatch primaries;
+    for (std::uint32_t pixel = 0; pixel < 24 * 16; ++pixel) {
+      rays.append(pixel % 24 + 0.5, pixel / 24 + 0.5, pixel, primaries);
     }
+    std::vector<RayTask> waiting = primaries.tasks;
     while (!waiting.empty()) {
       const std::size_t count = std::min(batch, waiting.size());
       const std::vector<RayTask> tasks(waiting.end() - static_cast<std::ptrdiff_t>(count), waiting.end());

@@ -1,0 +1,319 @@
+// Lights on many hits at once, and the feelers that take them back.
+
+#include "render/trace/hit_block.h"
+
+// This file is compiled once for each instruction set; the best one that the machine has is chosen at run time. The
+// answers are the same to the bit.
+#undef HWY_TARGET_INCLUDE
+#define HWY_TARGET_INCLUDE "render/trace/light_block.cpp"
+#include <hwy/foreach_target.h>
+#include <hwy/highway.h>
+
+#include <cmath>
+
+#include "render/trace/packing-inl.h"
+#include "render/trace/power-inl.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace firstlight::render {
+namespace HWY_NAMESPACE {
+
+using D = hn::CappedTag<double, 8>;
+using I = hn::RebindToSigned<D>;
+using U = hn::RebindToUnsigned<D>;
+using V = hn::VFromD<D>;
+using Mask = decltype(hn::Eq(hn::Zero(D()), hn::Zero(D())));
+using Vec = Triple<V>;
+
+template <class T>
+HWY_INLINE auto load(const Column<T>& column, std::size_t i) {
+  return hn::Load(hn::Rebind<T, D>(), column.at.data() + i);
+}
+template <class T>
+HWY_INLINE auto load(const Columns3<T>& columns, std::size_t i) {
+  return Triple<decltype(load(columns.of[0], i))>{load(columns.of[0], i), load(columns.of[1], i),
+                                                  load(columns.of[2], i)};
+}
+template <class T, class Vector>
+HWY_INLINE void store(const Vector& v, Column<T>& column, std::size_t i) {
+  hn::Store(v, hn::Rebind<T, D>(), column.at.data() + i);
+}
+template <class T, class Vector>
+HWY_INLINE void store(const Triple<Vector>& v, Columns3<T>& columns, std::size_t i) {
+  store(v.x, columns.of[0], i);
+  store(v.y, columns.of[1], i);
+  store(v.z, columns.of[2], i);
+}
+
+template <class Vector>
+HWY_INLINE Triple<Vector> operator+(const Triple<Vector>& a, const Triple<Vector>& b) {
+  return {hn::Add(a.x, b.x), hn::Add(a.y, b.y), hn::Add(a.z, b.z)};
+}
+template <class Vector>
+HWY_INLINE Triple<Vector> operator-(const Triple<Vector>& a, const Triple<Vector>& b) {
+  return {hn::Sub(a.x, b.x), hn::Sub(a.y, b.y), hn::Sub(a.z, b.z)};
+}
+HWY_INLINE Vec operator*(const Vec& a, const Vec& b) {
+  return {hn::Mul(a.x, b.x), hn::Mul(a.y, b.y), hn::Mul(a.z, b.z)};
+}
+HWY_INLINE Vec operator*(const Vec& a, V b) { return {hn::Mul(a.x, b), hn::Mul(a.y, b), hn::Mul(a.z, b)}; }
+
+HWY_INLINE bool any(Mask mask) { return !hn::AllFalse(D(), mask); }
+
+/// In the light itself no direction leads to it; the zero vector stands for that, and gives no light.
+HWY_INLINE V inverse_or_zero(V distance) {
+  const D d;
+  return hn::IfThenElseZero(hn::Gt(distance, hn::Zero(d)), hn::Div(hn::Set(d, 1.0), distance));
+}
+
+HWY_INLINE Vec position_of(const Light& light) {
+  const D d;
+  return {hn::Set(d, light.position.x), hn::Set(d, light.position.y), hn::Set(d, light.position.z)};
+}
+
+/// Share of the full light at a distance, as fading() has it.
+HWY_INLINE V fading_at(const Light& light, V distance) {
+  const D d;
+  if (light.fade_distance < 0.0) {  // a power of a negative number
+    alignas(64) double each[8];
+    hn::Store(distance, d, each);
+    for (std::size_t i = 0; i < hn::Lanes(d); ++i) each[i] = fading(light, each[i]);
+    return hn::Load(d, each);
+  }
+  const V ratio = hn::Div(distance, hn::Set(d, light.fade_distance));
+  return hn::Div(hn::Set(d, 2.0), hn::Add(hn::Set(d, 1.0), power(d, ratio, hn::Set(d, light.fade_power))));
+}
+
+/// What a highlight's colour is multiplied with: the surface's colour as far as the finish is metallic and the angle
+/// steep, as metallic_tint() has it.
+HWY_INLINE Vec tint_of(const LayerColumns& layer, std::size_t i, V cosine) {
+  const D d;
+  const V one = hn::Set(d, 1.0);
+  const V metallic = load(layer.metallic, i);
+  if (!any(hn::Gt(metallic, hn::Zero(d)))) return {one, one, one};
+  const V within = hn::Min(hn::Max(cosine, hn::Neg(one)), one);
+  const V angle = hn::Mul(arc_cosine(d, within), hn::Set(d, 0.63661977236758134));  // 90 degrees is 1
+  const V gap = hn::Sub(angle, hn::Set(d, 1.12));
+  const V bare = hn::Sub(hn::Div(hn::Set(d, 0.014567225), hn::Mul(gap, gap)), hn::Set(d, 0.011612903));
+  const V fresnel = hn::Min(hn::Max(bare, hn::Zero(d)), one);
+  const V share = hn::IfThenElseZero(hn::Gt(metallic, hn::Zero(d)), hn::Mul(metallic, hn::Sub(one, fresnel)));
+  const Vec white{one, one, one};
+  return white + (load(layer.color, i) - white) * share;
+}
+
+/// The hits of one vector under one light.
+struct Lit {
+  Vec to_light;  ///< unit
+  V cosine;      ///< to the normal
+  Mask behind;
+  bool highlights;
+};
+
+/// Highlight by the mirrored eye ray: phong * (R.L)^phong_size.
+HWY_INLINE V phong(const LayerColumns& layer, std::size_t i, const Lit& lit, const Vec& mirrored, V amount) {
+  const D d;
+  const V cosine = dot(mirrored, lit.to_light);
+  const V size = load(layer.phong_size, i);
+  // Small cosines to large powers are left out, as POV-Ray does.
+  const Mask lost = hn::And(hn::Ge(size, hn::Set(d, 60.0)), hn::Le(cosine, hn::Set(d, 0.0008)));
+  const Mask seen = hn::AndNot(lost, hn::Gt(cosine, hn::Zero(d)));
+  return hn::IfThenElseZero(seen, hn::Mul(amount, power(d, cosine, size)));
+}
+
+/// Highlight by the vector halfway between eye and light: specular * (N.H)^(1/roughness).
+HWY_INLINE V specular(const LayerColumns& layer, std::size_t i, const Lit& lit, const Vec& direction, const Vec& normal,
+                      V amount) {
+  const D d;
+  const Vec halfway = lit.to_light - direction;
+  const V length = hn::Sqrt(dot(halfway, halfway));
+  const V cosine = hn::Div(dot(halfway, normal), length);
+  return hn::IfThenElseZero(hn::Gt(cosine, hn::Zero(d)),
+                            hn::Mul(amount, power(d, cosine, load(layer.specular_exponent, i))));
+}
+
+/// What one layer makes of white light, times the ray's weight.
+HWY_INLINE Vec term_of(const HitBlock& block, const LayerColumns& layer, std::size_t i, const Lit& lit,
+                       const Vec& mirrored) {
+  const D d;
+  const V zero = hn::Zero(d);
+  const V size = hn::Abs(lit.cosine);
+  const V brilliance = load(layer.brilliance, i);
+  const Mask plain = hn::Eq(brilliance, hn::Set(d, 1.0));
+  const V falloff = hn::AllTrue(d, plain) ? size : hn::IfThenElse(plain, size, power(d, size, brilliance));
+  const V amount = hn::IfThenElse(lit.behind, load(layer.diffuse_back, i), load(layer.diffuse, i));
+  Vec term = load(layer.color, i) * hn::IfThenElseZero(hn::Ne(amount, zero), hn::Mul(falloff, amount));
+  if (lit.highlights) {
+    const auto in_front = [&](V strength) HWY_ATTR {
+      return hn::IfThenElseZero(hn::AndNot(lit.behind, hn::Gt(strength, zero)), strength);
+    };
+    const V shine = in_front(load(layer.phong, i));
+    const V gloss = in_front(load(layer.specular, i));
+    V highlight = zero;
+    if (any(hn::Gt(shine, zero))) highlight = phong(layer, i, lit, mirrored, shine);
+    if (any(hn::Gt(gloss, zero))) {
+      highlight = hn::Add(highlight, specular(layer, i, lit, load(block.direction, i), load(block.normal, i), gloss));
+    }
+    if (any(hn::Ne(highlight, zero))) term = term + tint_of(layer, i, lit.cosine) * highlight;
+  }
+  return load(layer.share, i) * term;
+}
+
+HWY_INLINE Vec mirrored_at(const HitBlock& block, std::size_t i) {
+  const Vec direction = load(block.direction, i);
+  const Vec normal = load(block.normal, i);
+  return direction - normal * hn::Mul(hn::Set(D(), 2.0), dot(direction, normal));
+}
+
+/// RadianceBound::at_stake() of records of feelers.
+struct AtStake {
+  Triple<hn::VFromD<I>> sum;
+  hn::VFromD<I> feelers;
+
+  HWY_INLINE AtStake() : sum{hn::Zero(I()), hn::Zero(I()), hn::Zero(I())}, feelers(hn::Zero(I())) {}
+  /// `light` is 0 where there is no feeler.
+  HWY_INLINE void add(hn::VFromD<U> light, const Triple<hn::VFromD<I>>& steps) {
+    const I di;
+    sum = sum + Triple<hn::VFromD<I>>{hn::Abs(steps.x), hn::Abs(steps.y), hn::Abs(steps.z)};
+    const auto there = hn::RebindMask(di, hn::Ne(light, hn::Zero(U())));
+    feelers = hn::Add(feelers, hn::IfThenElseZero(there, hn::Set(di, 1)));
+  }
+  HWY_INLINE hn::VFromD<I> most() const { return hn::Add(feelers, hn::Max(sum.x, hn::Max(sum.y, sum.z))); }
+};
+
+void begin_light_of(HitBlock& block) {
+  const D d;
+  for (std::size_t i = 0; i < block.size; i += hn::Lanes(d)) {
+    store(packed_direction(d, mirrored_at(block, i)), block.mirrored, i);
+    const Vec own = load(block.own_light, i);
+    store(Triple<hn::VFromD<I>>{fixed_of(d, own.x), fixed_of(d, own.y), fixed_of(d, own.z)}, block.sum, i);
+  }
+}
+
+void light_hits_of(HitBlock& block, std::span<const Light> lights) {
+  const D d;
+  constexpr double kNegligible = 1e-10;
+  for (std::size_t i = 0; i < block.size; i += hn::Lanes(d)) {
+    const Vec point = load(block.point, i);
+    const Vec normal = load(block.normal, i);
+    const Vec mirrored = mirrored_at(block, i);
+    auto sum = load(block.sum, i);
+    AtStake at_stake;
+    for (std::size_t l = 0; l < lights.size(); ++l) {
+      const Light& light = lights[l];
+      const Vec way = position_of(light) - point;
+      const V distance = hn::Sqrt(dot(way, way));
+      Vec color{hn::Set(d, double{light.color.x}), hn::Set(d, double{light.color.y}),
+                hn::Set(d, double{light.color.z})};
+      if (fades(light)) color = color * fading_at(light, distance);
+      Lit lit;
+      lit.to_light = way * inverse_or_zero(distance);
+      lit.cosine = dot(normal, lit.to_light);
+      lit.behind = hn::Lt(lit.cosine, load(block.lit_from, i));
+      lit.highlights = !light.shadowless;
+      Vec term = term_of(block, block.layers[0], i, lit, mirrored);
+      for (std::size_t k = 1; k < block.layer_count; ++k) {
+        term = term + term_of(block, block.layers[k], i, lit, mirrored);
+      }
+      const Mask shines =
+          hn::Ge(hn::Max(hn::Abs(color.x), hn::Max(hn::Abs(color.y), hn::Abs(color.z))), hn::Set(d, kNegligible));
+      color = color * term;
+      color = {hn::IfThenElseZero(shines, color.x), hn::IfThenElseZero(shines, color.y),
+               hn::IfThenElseZero(shines, color.z)};
+      if (light.shadowless) {
+        sum = sum + Triple<hn::VFromD<I>>{fixed_of(d, color.x), fixed_of(d, color.y), fixed_of(d, color.z)};
+        store(hn::Zero(U()), block.light[l], i);
+      } else {
+        const Mantissas<D> mantissas = mantissas_of(d, color);
+        const auto steps = fixed(d, mantissas);
+        sum = sum + steps;
+        const auto bits = packed(d, mantissas);
+        at_stake.add(bits, steps);
+        store(bits, block.light[l], i);
+      }
+    }
+    store(sum, block.sum, i);
+    store(at_stake.most(), block.at_stake, i);
+  }
+}
+
+void aim_feelers_at(FeelerBlock& block, std::span<const LightPlace> lights) {
+  const D d;
+  const double* places = lights.front().data();
+  for (std::size_t s = 0; s < block.slot_count; ++s) {
+    FeelerBlock::Slot& slot = block.slots[s];
+    slot.rays.size = block.size;
+    for (std::size_t i = 0; i < block.size; i += hn::Lanes(d)) {
+      const Vec origin = load(block.origin, i);
+      const auto place = hn::ShiftLeft<2>(load(slot.light, i));
+      const Vec position{hn::GatherIndex(d, places, place), hn::GatherIndex(d, places + 1, place),
+                         hn::GatherIndex(d, places + 2, place)};
+      const Vec way = position - origin;
+      const V distance = hn::Sqrt(dot(way, way));
+      const auto aimed = hn::RebindMask(d, hn::Ne(load(slot.at_stake, i), hn::Zero(U())));
+      const V gap = hn::Set(d, kShadowGap);
+      store(origin, slot.rays.origin, i);
+      store(way * inverse_or_zero(distance), slot.rays.direction, i);
+      store(gap, slot.rays.min_depth, i);
+      store(hn::IfThenElseZero(aimed, hn::Sub(distance, gap)), slot.rays.max_depth, i);
+      store(hn::Set(I(), kHiddenFromShadow), slot.rays.hidden_bit, i);
+    }
+  }
+}
+
+void take_back_of(FeelerBlock& block) {
+  const D d;
+  const I di;
+  for (std::size_t i = 0; i < block.size; i += hn::Lanes(d)) {
+    const auto zero = hn::Zero(di);
+    const auto lane_bits = hn::Shl(hn::Set(di, 1), hn::Iota(di, 0));
+    Triple<hn::VFromD<I>> sum{zero, zero, zero};
+    AtStake at_stake;
+    for (std::size_t s = 0; s < block.slot_count; ++s) {
+      const FeelerBlock::Slot& slot = block.slots[s];
+      const auto packed_light = load(slot.at_stake, i);
+      const auto steps = fixed(d, unpacked(d, packed_light));
+      const auto bits = hn::Set(di, static_cast<std::int64_t>(slot.blocked >> i));
+      const auto blocked = hn::Ne(hn::And(bits, lane_bits), zero);
+      at_stake.add(packed_light, steps);
+      sum = sum - Triple<hn::VFromD<I>>{hn::IfThenElseZero(blocked, steps.x), hn::IfThenElseZero(blocked, steps.y),
+                                        hn::IfThenElseZero(blocked, steps.z)};
+    }
+    store(sum, block.sum, i);
+    store(at_stake.most(), block.at_stake, i);
+  }
+}
+
+void unpack_directions_of(const Column<std::int64_t>& packed, std::size_t count, Columns3<double>& directions) {
+  const D d;
+  for (std::size_t i = 0; i < count; i += hn::Lanes(d)) store(unpacked_direction(d, load(packed, i)), directions, i);
+}
+
+}  // namespace HWY_NAMESPACE
+}  // namespace firstlight::render
+HWY_AFTER_NAMESPACE();
+
+#if HWY_ONCE
+namespace firstlight::render {
+
+HWY_EXPORT(begin_light_of);
+HWY_EXPORT(light_hits_of);
+HWY_EXPORT(aim_feelers_at);
+HWY_EXPORT(take_back_of);
+HWY_EXPORT(unpack_directions_of);
+
+void begin_light(HitBlock& block) { HWY_DYNAMIC_DISPATCH(begin_light_of)(block); }
+
+void light_hits(HitBlock& block, std::span<const Light> lights) { HWY_DYNAMIC_DISPATCH(light_hits_of)(block, lights); }
+
+void aim_feelers(FeelerBlock& block, std::span<const LightPlace> lights) {
+  HWY_DYNAMIC_DISPATCH(aim_feelers_at)(block, lights);
+}
+
+void take_back(FeelerBlock& block) { HWY_DYNAMIC_DISPATCH(take_back_of)(block); }
+
+void unpack_directions(const Column<std::int64_t>& packed, std::size_t count, Columns3<double>& directions) {
+  HWY_DYNAMIC_DISPATCH(unpack_directions_of)(packed, count, directions);
+}
+
+}  // namespace firstlight::render
+#endif
