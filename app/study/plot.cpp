@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <ranges>
 
 namespace firstlight::app {
 namespace {
@@ -91,7 +92,8 @@ std::string to_svg(const Plot& plot) {
   std::string svg = fmt::format("<svg viewBox=\"0 0 {} {}\" role=\"img\" aria-label=\"{}\">\n", plot.width, plot.height,
                                 escape_html(plot.title));
   svg += axes(plot, frame);
-  for (const PlotLine& line : plot.lines) {
+  // The first lines lie above the others.
+  for (const PlotLine& line : plot.lines | std::views::reverse) {
     svg += fmt::format("<polyline class=\"line line{}\" points=\"", line.style);
     for (const CurvePoint& point : line.points)
       svg += fmt::format("{:.1f},{:.1f} ", frame.x(point.x), frame.y(point.y));

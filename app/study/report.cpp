@@ -125,7 +125,7 @@ std::string pictures(const Study& study) {
       html += fmt::format(
           "<figure><img alt=\"{:.0f} % of the rays\" src=\"data:image/png;base64,{}\"><figcaption>{:.0f} % of the "
           "rays<br>"
-          "{:.2f} s, {:.1f} % off</figcaption></figure>\n",
+          "{:.3f} s, {:.1f} % off</figcaption></figure>\n",
           100.0 * picture.share, base64(picture.png), 100.0 * picture.share, picture.seconds,
           100.0 * picture.difference);
     }

@@ -88,7 +88,7 @@ TEST(StudyReport, ShowsThePictures) {
   study.schemes[1].pictures.push_back({0.05, 0.12, 0.345, "not a PNG"});
   const std::string html = report_html(study);
   EXPECT_EQ(count(html, "src=\"data:image/png;base64,bm90IGEgUE5H\""), 1u);
-  EXPECT_EQ(count(html, "5 % of the rays<br>0.12 s, 34.5 % off"), 1u);
+  EXPECT_EQ(count(html, "5 % of the rays<br>0.120 s, 34.5 % off"), 1u);
 }
 
 TEST(StudyCsv, HasAFileForEachFigure) {
