@@ -3,6 +3,7 @@
 #include "priority/steering.h"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 #include <utility>
 
@@ -13,12 +14,16 @@ constexpr std::chrono::milliseconds kProgressEvery{100};
 constexpr std::chrono::milliseconds kLookEvery{10};  // at aims, and at what the user asks for
 constexpr std::chrono::milliseconds kKeyChangeEvery{250};
 
-// Sums over all pixels are kept in coarser steps than a sample's, so that they stay within 64 bits.
-constexpr int kCoarserBits = 16;
-constexpr double kCoarseStep = 0x1p-20;
+/// How many low bits a sum of `most` over all pixels has to leave out to stay within 64 bits; nearly always none.
+int bits_left_out(std::int64_t most, std::int64_t pixels) {
+  constexpr int kRoom = 62;
+  const int bits =
+      std::bit_width(static_cast<std::uint64_t>(most)) + std::bit_width(static_cast<std::uint64_t>(pixels));
+  return std::max(0, bits - kRoom);
+}
 
 /// Rounded up, so that a bound stays a bound.
-std::int64_t in_coarse_steps(std::int64_t steps) { return (steps + (1 << kCoarserBits) - 1) >> kCoarserBits; }
+std::int64_t without_low_bits(std::int64_t steps, int bits) { return (steps + (std::int64_t{1} << bits) - 1) >> bits; }
 
 render::RayTask primary_task() {
   render::RayTask task;
@@ -42,7 +47,9 @@ Frame::Frame(const render::TraceContext& context, render::Film& film, const Trac
       workers_(options.threads) {
   const std::int64_t most = bound_.at_stake(primary_task());
   film.expect(most);
-  remaining_ = in_coarse_steps(most) * film.width() * film.height();
+  const std::int64_t pixels = std::int64_t{film.width()} * film.height();
+  left_out_ = bits_left_out(most, pixels);
+  remaining_ = without_low_bits(most, left_out_) * pixels;
   if (options.antialias != nullptr) look_at_refinement();
 }
 
@@ -78,7 +85,7 @@ void Frame::add(std::span<const render::Contribution> light) {
   film_.add(light, alone_);
   std::int64_t change = 0;
   for (const render::Contribution& contribution : light) change += contribution.outstanding;
-  remaining_.fetch_add(in_coarse_steps(change), std::memory_order_relaxed);
+  remaining_.fetch_add(without_low_bits(change, left_out_), std::memory_order_relaxed);
 }
 
 void Frame::traced(const render::RayCounts& counts, render::RayCounts& reported) {
@@ -109,6 +116,7 @@ void Frame::fail(const std::string& why) {
   end_ = End::failed;
   stopped_.store(true, std::memory_order_relaxed);
   go_on_.notify_all();
+  if (options_.steering != nullptr) options_.steering->stop();  // wakes those who pause
 }
 
 void Frame::leave() {
@@ -160,7 +168,8 @@ std::chrono::duration<double> Frame::look_after() const {
   const std::chrono::duration<double> usual = kLookEvery;
   if (options_.stop_after <= 0.0) return usual;
   const std::chrono::duration<double> past = Clock::now() - begin_ - rested_;
-  return std::clamp(std::chrono::duration<double>(options_.stop_after) - past, std::chrono::duration<double>(0.0), usual);
+  return std::clamp(std::chrono::duration<double>(options_.stop_after) - past, std::chrono::duration<double>(0.0),
+                    usual);
 }
 
 void Frame::watch(const RayQueue& queue, const BlockPool& pool) {
@@ -227,7 +236,7 @@ void Frame::look_at_refinement() {
 double Frame::remaining() const {
   const double pixels = static_cast<double>(film_.width()) * static_cast<double>(film_.height());
   if (options_.antialias != nullptr) return refinement_remaining_.load(std::memory_order_relaxed) / pixels;
-  return static_cast<double>(remaining_.load(std::memory_order_relaxed)) * kCoarseStep / pixels;
+  return std::ldexp(render::FixedRgb::to_double(remaining_.load(std::memory_order_relaxed)), left_out_) / pixels;
 }
 
 double Frame::seconds() const {
