@@ -69,7 +69,8 @@ std::string help_text() {
   std::string text =
       "Usage: firstlight SCENE.pov [switches] [options]\n"
       "       firstlight SETTINGS.ini[section] ...\n"
-      "       firstlight steer SOCKET [command]\n\n"
+      "       firstlight steer SOCKET [command]\n"
+      "       firstlight study SCENE.pov [options], see `firstlight study --help`\n\n"
       "Renders a POV-Ray scene, the rays that matter most first, to an image file.\n\n"
       "POV-Ray's switches (no space between a switch and its value):\n"
       "  +ISCENE       the scene, also without +I\n"
