@@ -72,8 +72,9 @@ class Boosted final : public Scheme {
   }
   Key key_count() const override { return keys_.count(); }
   bool tells_pixels_apart() const override { return !regions_.empty() || base_->tells_pixels_apart(); }
-  void learn(std::span<const render::RayTask> tasks, std::span<const render::Contribution> light) const override {
-    base_->learn(tasks, light);
+  void learn(std::span<const render::RayTask> tasks, std::span<const render::Contribution> light,
+             std::span<const render::RayTask> spawned) const override {
+    base_->learn(tasks, light, spawned);
   }
 
  private:

@@ -1,47 +1,85 @@
+#include "priority/blocked_shares.h"
+#include "priority/cells.h"
 #include "priority/log_scale.h"
+#include "priority/ray_gains.h"
 #include "priority/schemes.h"
 
 #include <algorithm>
+#include <cstddef>
 #include <cstdint>
 
 namespace firstlight::priority {
 namespace {
 
-/// The share of its weight that a radiance ray counts for, against the light that a feeler may take back. A ray brings
-/// less light than its weight allows, and costs several times what a feeler does. On the sphere-flake in a room of
-/// mirrors the convergence is the same for shares from 1 to 1/16, within the noise, but the longest queue at 1/8 is
-/// less than half of that at 1.
-constexpr float kRadianceShare = 0.125f;
+using render::PackedRgb;
+using render::RayKind;
+using render::RayTask;
+
+/// The share of its light that a reflected or transmitted ray counts for, against the light that a feeler takes back:
+/// it brings lights that feelers have still to take back, and costs several times what a feeler does.
+constexpr float kRayShare = 0.125f;
+/// Nothing is known of a primary ray when its turn is decided.
+constexpr float kPrimaryGain = 0.0625f;
+
+/// Tasks of which one is learnt from: neighbours tell much the same, and learning takes time.
+constexpr std::size_t kLearnOneOf = 4;
 
 constexpr LogScale kScale(-30, 10, 4);
 
-/// The more a ray can change its pixel, the earlier it leaves: by the largest component of the weight of a radiance
-/// ray, or of the light that a feeler would take back. Buckets are a sixteenth of an octave wide.
-/// Source   Yagel & Meeker 1997, section 4, "contribution".
+/// The more a ray can be expected to change the picture for what it costs, the earlier it leaves. Of a record of
+/// feelers this is the light at stake times the share of feelers that are blocked thereabouts, for each feeler; of
+/// another ray its weight times the light that such rays bring.
+///
+/// Order    learnt while rendering: the same task may get another key later. Keys are a sixteenth of an octave wide.
+/// Source   Yagel & Meeker 1997, section 4, "contribution", which takes the weight alone.
 class Contribution final : public Scheme {
  public:
-  void keys(std::span<const render::RayTask> tasks, std::span<Key> keys) const override {
-    for (std::size_t i = 0; i < tasks.size(); ++i) {
-      keys[i] = kScale.of(tasks[i].kind == render::RayKind::shadow
-                              ? most_at_stake(tasks[i])
-                              : render::max_magnitude(tasks[i].radiance.weight()) * kRadianceShare);
-    }
+  explicit Contribution(const SchemeInput& input)
+      : cells_(input), blocked_(cells_, input.scene->lights.size()), gains_(cells_) {}
+
+  void keys(std::span<const RayTask> tasks, std::span<Key> keys) const override {
+    for (std::size_t i = 0; i < tasks.size(); ++i) keys[i] = kScale.of(gain(tasks[i]));
   }
   Key key_count() const override { return kScale.count(); }
   bool tells_pixels_apart() const override { return false; }
 
- private:
-  static float most_at_stake(const render::RayTask& feelers) {
-    float most = 0.0f;
-    feelers.for_each_feeler([&](std::uint32_t, const render::PackedRgb& light) {
-      most = std::max(most, render::max_magnitude(light.unpack()));
-    });
-    return most;
+  void learn(std::span<const RayTask> tasks, std::span<const render::Contribution> light,
+             std::span<const RayTask> spawned) const override {
+    for (std::size_t i = 0; i < std::min(tasks.size(), light.size()); i += kLearnOneOf) {
+      const std::size_t cell = cells_.of(tasks[i]);
+      if (tasks[i].kind == RayKind::shadow) {
+        blocked_.learn(cell, tasks[i], light[i].light);
+      } else {
+        gains_.learn_traced(cell, tasks[i], light[i].light);
+      }
+    }
+    for (std::size_t i = 0; i < spawned.size(); i += kLearnOneOf) {
+      if (spawned[i].kind != RayKind::shadow) gains_.learn_spawned(cells_.of(spawned[i]), spawned[i]);
+    }
   }
+
+ private:
+  float gain(const RayTask& task) const {
+    if (task.kind == RayKind::primary) return render::max_magnitude(task.radiance.weight()) * kPrimaryGain;
+    const std::size_t cell = cells_.of(task);
+    if (task.kind != RayKind::shadow) {
+      return mean_magnitude(task.radiance.weight()) * gains_.gain(cell, task) * kRayShare;
+    }
+    float sum = 0.0f;
+    const std::size_t base = blocked_.base(cell, task);
+    task.for_each_feeler([&](std::uint32_t light, const PackedRgb& at_stake) {
+      sum += mean_magnitude(at_stake.unpack()) * blocked_.share(base, light);
+    });
+    return sum / static_cast<float>(task.ray_count());
+  }
+
+  Cells cells_;
+  mutable BlockedShares blocked_;
+  mutable RayGains gains_;
 };
 
 }  // namespace
 
-SchemePtr make_contribution(const SchemeInput&, SchemeText*) { return std::make_shared<Contribution>(); }
+SchemePtr make_contribution(const SchemeInput& input, SchemeText*) { return std::make_shared<Contribution>(input); }
 
 }  // namespace firstlight::priority

@@ -37,9 +37,10 @@ class Lexicographic final : public Scheme {
   }
   Key key_count() const override { return stacked_.count(); }
   bool tells_pixels_apart() const override { return first_->tells_pixels_apart() || second_->tells_pixels_apart(); }
-  void learn(std::span<const render::RayTask> tasks, std::span<const render::Contribution> light) const override {
-    first_->learn(tasks, light);
-    second_->learn(tasks, light);
+  void learn(std::span<const render::RayTask> tasks, std::span<const render::Contribution> light,
+             std::span<const render::RayTask> spawned) const override {
+    first_->learn(tasks, light, spawned);
+    second_->learn(tasks, light, spawned);
   }
 
  private:
@@ -88,8 +89,9 @@ class Weighted final : public Scheme {
   bool tells_pixels_apart() const override {
     return std::ranges::any_of(members_, [](const WeightedMember& m) { return m.scheme->tells_pixels_apart(); });
   }
-  void learn(std::span<const render::RayTask> tasks, std::span<const render::Contribution> light) const override {
-    for (const WeightedMember& member : members_) member.scheme->learn(tasks, light);
+  void learn(std::span<const render::RayTask> tasks, std::span<const render::Contribution> light,
+             std::span<const render::RayTask> spawned) const override {
+    for (const WeightedMember& member : members_) member.scheme->learn(tasks, light, spawned);
   }
 
  private:

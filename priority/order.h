@@ -23,12 +23,12 @@ struct Rectangle {
 struct Boost {
   enum class Kind { region, object, light };
 
-  std::string name;  ///< by which it is dropped again
+  std::string name = {};  ///< by which it is dropped again
   Kind kind = Kind::region;
-  Rectangle region;    ///< of Kind::region
-  std::string object;  ///< of Kind::object: its SDL identifier, or the word for a kind of shape
-  int light = 0;       ///< of Kind::light: index into Scene::lights
-  int by = 1;          ///< boosts of a ray add up; a larger sum leaves first; may be negative
+  Rectangle region = {};    ///< of Kind::region
+  std::string object = {};  ///< of Kind::object: its SDL identifier, or the word for a kind of shape
+  int light = 0;            ///< of Kind::light: index into Scene::lights
+  int by = 1;               ///< boosts of a ray add up; a larger sum leaves first; may be negative
 };
 
 /// The whole order of the rays: a scheme or mixture as the user writes it, and the boosts above it. A cheap value.

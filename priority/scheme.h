@@ -25,9 +25,10 @@ class Scheme {
   /// Whether primary rays of different pixels may have different keys. A scheme that does not look at the pixel says
   /// no, which saves asking for each of them.
   virtual bool tells_pixels_apart() const { return true; }
-  /// Tells what came of tasks that were traced: light[i] is what tasks[i] changed.
-  virtual void learn(std::span<const render::RayTask> /*tasks*/,
-                     std::span<const render::Contribution> /*light*/) const {}
+  /// Tells what came of tasks that were traced: light[i] is what tasks[i] changed, `spawned` the rays that all of them
+  /// sent on.
+  virtual void learn(std::span<const render::RayTask> /*tasks*/, std::span<const render::Contribution> /*light*/,
+                     std::span<const render::RayTask> /*spawned*/) const {}
 };
 
 }  // namespace firstlight::priority

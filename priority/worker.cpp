@@ -76,7 +76,7 @@ void Worker::trace_primaries() {
   if (!frame_.primaries().next(primaries_)) return;
   stepper_.step_primary(primaries_.rays.tasks, primaries_.rays.rays);
   frame_.add(stepper_.light());
-  scheme_->learn(primaries_.rays.tasks, stepper_.light());
+  scheme_->learn(primaries_.rays.tasks, stepper_.light(), stepper_.spawned());
   frame_.lit(primaries_);
   keep_spawned(0);
 }
@@ -91,7 +91,7 @@ void Worker::trace_block(const RayQueue::Popped& popped) {
   }
   stepper_.step(popped.block->span());
   frame_.add(stepper_.light());
-  scheme_->learn(popped.block->span(), stepper_.light());
+  scheme_->learn(popped.block->span(), stepper_.light(), stepper_.spawned());
   pool_.release(popped.block);
   keep_spawned(taken);
 }

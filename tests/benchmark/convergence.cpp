@@ -1,0 +1,124 @@
+// How fast pictures converge in each order: renders a scene to its end, then once with each scheme, looking at the
+// picture after each per cent of the rays.
+//
+//   convergence SCENE WIDTH HEIGHT SCHEME [SCHEME ...]
+//
+// Prints the area under the curve of the difference from the finished picture (1: black) over the share of rays traced,
+// and the shares of rays after which the difference stays below 5 % and 1 %; --curve prints the curves too.
+#include "app/study/curve.h"
+#include "parser/function_text.h"
+#include "parser/parser.h"
+#include "priority/driver.h"
+#include "priority/order.h"
+#include "render/film/preview.h"
+#include "render/image/difference.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cstdint>
+#include <cstdio>
+#include <cstdlib>
+#include <memory>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace {
+
+using namespace firstlight;
+
+constexpr int kCheckpoints = 100;
+
+/// Looks at the picture at each checkpoint.
+struct Watcher final : priority::Observer {
+  Watcher(const render::Film& watched, const render::RemainingDifference& difference_of, double all_rays)
+      : film(watched), difference(difference_of), rays(all_rays) {}
+
+  void checkpoint(const priority::Progress& progress) override {
+    const std::vector<render::Rgb> picture = render::preview(film);
+    curve.push_back({static_cast<double>(progress.traced.total()) / rays, difference(picture)});
+    traced.push_back(progress.traced);
+  }
+
+  const render::Film& film;
+  const render::RemainingDifference& difference;
+  double rays;
+  std::vector<app::CurvePoint> curve{{0.0, 1.0}};
+  std::vector<render::RayCounts> traced{{}};  ///< at the points of the curve
+};
+
+[[noreturn]] void fail(const std::string& why) {
+  fmt::print(stderr, "convergence: {}\n", why);
+  std::exit(EXIT_FAILURE);
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  std::vector<std::string> arguments(argv + 1, argv + argc);
+  const bool wants_curve = std::erase(arguments, "--curve") > 0;
+  if (arguments.size() < 4) fail("usage: convergence SCENE WIDTH HEIGHT SCHEME [SCHEME ...] [--curve]");
+  render::LoadOptions load;
+  load.width = std::atoi(arguments[1].c_str());
+  load.height = std::atoi(arguments[2].c_str());
+  if (load.width < 1 || load.height < 1) fail("width and height are numbers of pixels");
+  const render::LoadResult loaded = parser::PovFrontEnd().load(arguments[0], load);
+  if (loaded.scene == nullptr) fail("cannot read the scene " + arguments[0]);
+  const render::Accel accel(*loaded.scene);
+  priority::SchemeInput input;
+  input.scene = loaded.scene.get();
+  input.width = load.width;
+  input.height = load.height;
+  input.compile = parser::compile_text;
+
+  std::vector<render::Rgb> finished;
+  double rays = 0.0;
+  const auto render = [&](const std::string& text, const auto& watch) {
+    render::MediumTable media;
+    render::Film film(load.width, load.height);
+    input.film = &film;
+    std::string error;
+    const auto order = priority::Order::parse(text, input, error);
+    if (!order) fail(error);
+    const std::shared_ptr<const priority::Scheme> scheme = order->scheme();
+    priority::TraceOptions options;
+    options.scheme = scheme.get();
+    watch(film, options);
+    const priority::TraceResult result = priority::trace({*loaded.scene, accel, media}, film, options);
+    if (!result.complete()) fail("rendering ended early: " + result.error);
+    finished = film.snapshot();
+    rays = static_cast<double>(result.statistics.rays.total());
+    return result.statistics;
+  };
+  render("contribution", [](const render::Film&, priority::TraceOptions&) {});
+  const std::vector<render::Rgb> reference = finished;
+  const render::RemainingDifference difference(reference);
+  const double all_rays = rays;
+
+  fmt::print("{:<40} {:>8} {:>6} {:>6} {:>12} {:>8}\n", "scheme", "area", "5 %", "1 %", "peak rays", "seconds");
+  for (std::size_t i = 3; i < arguments.size(); ++i) {
+    std::unique_ptr<Watcher> watcher;
+    const auto statistics = render(arguments[i], [&](const render::Film& film, priority::TraceOptions& options) {
+      watcher = std::make_unique<Watcher>(film, difference, all_rays);
+      options.observer = watcher.get();
+      options.checkpoint_rays = static_cast<std::uint64_t>(all_rays / kCheckpoints);
+    });
+    watcher->curve.push_back({1.0, 0.0});
+    watcher->traced.push_back(statistics.rays);
+    fmt::print("{:<40} {:>8.4f} {:>6.3f} {:>6.3f} {:>12} {:>8.2f}\n", arguments[i], app::area_under(watcher->curve),
+               app::settles_below(watcher->curve, 0.05).value_or(1.0),
+               app::settles_below(watcher->curve, 0.01).value_or(1.0), statistics.peak_rays, statistics.seconds);
+    if (!wants_curve) continue;
+    fmt::print("  share of rays, difference, share of primary, reflected, transmitted rays and of feelers\n");
+    for (std::size_t p = 0; p < watcher->curve.size(); ++p) {
+      fmt::print("  {:.4f} {:.5f}", watcher->curve[p].x, watcher->curve[p].y);
+      for (std::size_t kind = 0; kind < 4; ++kind) {
+        const auto all = static_cast<double>(std::max<std::uint64_t>(statistics.rays.by_kind[kind], 1));
+        fmt::print(" {:.4f}", static_cast<double>(watcher->traced[p].by_kind[kind]) / all);
+      }
+      fmt::print("\n");
+    }
+  }
+  return EXIT_SUCCESS;
+}
