@@ -39,17 +39,22 @@ class ExactRay {
  public:
   using Depth = double;
 
-  explicit ExactRay(const RayQuery& query) : min_depth_(query.min_depth) {
-    // A direction of zero becomes one of almost zero: the products below stay numbers, and a ray in the plane of a
-    // face is decided by which side of the face it lies on.
-    constexpr double kAlmostZero = 1e-300;
-    for (int axis = 0; axis < 3; ++axis) {
-      double d = query.ray.direction[axis];
-      if (std::abs(d) < kAlmostZero) d = std::copysign(kAlmostZero, d);
-      origin_[axis] = query.ray.origin[axis];
-      inverse_[axis] = 1.0 / d;
-      near_row_[axis] = 2 * axis + (d < 0.0 ? 1 : 0);
+  HWY_INLINE ExactRay(const RayBlock& rays, const Columns3<double>& inverse, std::size_t i)
+      : min_depth_(rays.min_depth[i]) {
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      origin_[axis] = rays.origin.of[axis][i];
+      inverse_[axis] = inverse.of[axis][i];
+      near_row_[axis] = 2 * static_cast<int>(axis) + (inverse_[axis] < 0.0 ? 1 : 0);
     }
+  }
+
+  /// One over a direction. Zero counts as almost zero: the products below stay numbers, and a ray in the plane of a
+  /// face is decided by which side of the face it lies on.
+  template <class D, class V>
+  static HWY_INLINE V inverse_of(D d, V direction) {
+    const auto almost_zero = hn::Set(d, 1e-300);
+    const auto small = hn::Lt(hn::Abs(direction), almost_zero);
+    return hn::Div(hn::Set(d, 1.0), hn::IfThenElse(small, hn::CopySign(almost_zero, direction), direction));
   }
 
   /// Whether the ray meets `box` beyond its min_depth; `near` gets where.
@@ -115,6 +120,7 @@ class ExactRay {
 /// the depth is at most (|o| + reach) / kLeastDirection, and the ray moves by less than 2^-48 (|o| + reach), the other
 /// part of the margin (FloatLimits::shared_margin).
 struct FloatRays {
+  Columns3<double> exact_inverse;  ///< of ExactRay
   Columns3<float> inverse;
   Columns3<float> enter;  ///< what the depths of faces begin with, less the margin
   Columns3<float> leave;  ///< plus the margin
@@ -161,7 +167,9 @@ struct FloatRays {
     auto strong = hn::Lt(first, hn::Neg(hn::Inf(f)));  // none
     for (std::size_t axis = 0; axis < 3; ++axis) {
       const auto origin = rounded(rays.origin.of[axis]);
-      const auto direction = rounded(rays.direction.of[axis]);
+      const auto exact_direction = hn::Load(d, rays.direction.of[axis].at.data() + i);
+      hn::Store(ExactRay::inverse_of(d, exact_direction), d, exact_inverse.of[axis].at.data() + i);
+      const auto direction = hn::DemoteTo(f, exact_direction);
       const auto size = hn::Abs(direction);
       const auto inv = hn::Div(hn::Set(f, 1.0f), hn::CopySign(hn::Max(size, hn::Set(f, kSteepest)), direction));
       const auto at_zero = hn::Mul(origin, inv);

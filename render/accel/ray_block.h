@@ -12,10 +12,11 @@ namespace firstlight::render {
 /// nearest cache.
 constexpr std::size_t kRaysAtOnce = 64;
 
-/// One number of each of kRaysAtOnce rays.
+/// One number of each of kRaysAtOnce rays. Not cleared when made: a short block is not to pay for the whole column, and
+/// what is computed from lanes beyond its end is not used.
 template <class T>
 struct alignas(64) Column {
-  std::array<T, kRaysAtOnce> at{};
+  std::array<T, kRaysAtOnce> at;
 
   T& operator[](std::size_t i) { return at[i]; }
   const T& operator[](std::size_t i) const { return at[i]; }

@@ -9,7 +9,6 @@
 
 #include <algorithm>
 #include <limits>
-#include <optional>
 #include <vector>
 
 #include "render/accel/box_test-inl.h"
@@ -32,8 +31,9 @@ std::vector<Crossing>& scratch_of_thread() {
 class ClosestSearch {
  public:
   /// `plane`: the nearest, met at `depth`; null for none, with `depth` as the query's max_depth.
-  ClosestSearch(const Leaves& leaves, const RayQuery& query, const PlaneLeaf* plane, double depth)
-      : leaves_(leaves), query_(query) {
+  ClosestSearch(const Leaves& leaves, const RayQuery& query, const ExactRay& exact, const PlaneLeaf* plane,
+                double depth)
+      : leaves_(leaves), query_(query), exact_(exact) {
     hit_.depth = depth;
     hit_.solid = 0;  // a crossing at exactly max_depth must not win the tie
     if (plane != nullptr) hit_ = {depth, plane->head.part, 0, plane->head.shape, plane->head.solid};
@@ -56,7 +56,7 @@ class ClosestSearch {
       const auto lane = static_cast<std::size_t>(__builtin_ctz(bits));
       const SphereLeaf& leaf = leaves_.spheres[ref.index() * kLanes + lane];
       double from = 0.0;
-      if (hidden(leaf.head) || !ExactRay(query_).meets(leaf.bounds, from)) continue;
+      if (hidden(leaf.head) || !exact_.meets(leaf.bounds, from)) continue;
       if (sphere_depth_counts(at.leaves[lane])) offer(at.leaves[lane], 0, leaf.head, from);
       if (sphere_depth_counts(at.enters[lane])) offer(at.enters[lane], 0, leaf.head, from);
     }
@@ -65,23 +65,17 @@ class ClosestSearch {
  private:
   bool hidden(const LeafHead& head) const { return (head.hidden_from & query_.hidden_bit) != 0; }
 
-  /// For leaves whose test costs more than this branch.
-  const ExactRay& exact() {
-    if (!exact_) exact_.emplace(query_);
-    return *exact_;
-  }
-
   HWY_NOINLINE void visit_other(ChildRef ref) {
     double from = 0.0;
     if (ref.kind() == ChildKind::box) {
       const BoxLeaf& leaf = leaves_.boxes[ref.index()];
-      if (hidden(leaf.head) || !exact().meets(leaf.bounds, from)) return;
+      if (hidden(leaf.head) || !exact_.meets(leaf.bounds, from)) return;
       Met met;
       leaf.box.meet(query_.ray, met);
       for (std::size_t i = met.count; i-- > 0;) offer(met.depth[i], met.face[i], leaf.head, from);
     } else {
       const SolidLeaf& leaf = leaves_.solids[ref.index()];
-      if (hidden(leaf.head) || !exact().meets(leaf.bounds, from) || from > limit()) return;
+      if (hidden(leaf.head) || !exact_.meets(leaf.bounds, from) || from > limit()) return;
       std::vector<Crossing>& scratch = scratch_of_thread();
       scratch.clear();
       leaf.geometry->crossings(query_.ray, query_.hidden_bit, scratch);
@@ -103,14 +97,15 @@ class ClosestSearch {
 
   const Leaves& leaves_;
   const RayQuery& query_;
-  std::optional<ExactRay> exact_;
+  const ExactRay& exact_;
   Hit hit_;
 };
 
 /// Looks for any opaque crossing of one ray; the visits tell whether there was one.
 class BlockingSearch {
  public:
-  BlockingSearch(const Leaves& leaves, const RayQuery& query) : leaves_(leaves), query_(query) {}
+  BlockingSearch(const Leaves& leaves, const RayQuery& query, const ExactRay& exact)
+      : leaves_(leaves), query_(query), exact_(exact) {}
 
   double limit() const { return query_.max_depth; }
 
@@ -122,7 +117,7 @@ class BlockingSearch {
       const auto lane = static_cast<std::size_t>(__builtin_ctz(bits));
       const SphereLeaf& leaf = leaves_.spheres[ref.index() * kLanes + lane];
       double from = 0.0;
-      if (transparent(leaf.head) || !ExactRay(query_).meets(leaf.bounds, from)) continue;
+      if (transparent(leaf.head) || !exact_.meets(leaf.bounds, from)) continue;
       if (sphere_depth_counts(at.leaves[lane]) && blocks(at.leaves[lane], from)) return true;
       if (sphere_depth_counts(at.enters[lane]) && blocks(at.enters[lane], from)) return true;
     }
@@ -132,17 +127,11 @@ class BlockingSearch {
  private:
   bool transparent(const LeafHead& head) const { return !head.opaque || (head.hidden_from & query_.hidden_bit) != 0; }
 
-  /// For leaves whose test costs more than this branch.
-  const ExactRay& exact() const {
-    if (!exact_) exact_.emplace(query_);
-    return *exact_;
-  }
-
   HWY_NOINLINE bool visit_other(ChildRef ref) const {
     double from = 0.0;
     if (ref.kind() == ChildKind::box) {
       const BoxLeaf& leaf = leaves_.boxes[ref.index()];
-      if (transparent(leaf.head) || !exact().meets(leaf.bounds, from)) return false;
+      if (transparent(leaf.head) || !exact_.meets(leaf.bounds, from)) return false;
       Met met;
       leaf.box.meet(query_.ray, met);
       for (std::size_t i = 0; i < met.count; ++i) {
@@ -150,7 +139,7 @@ class BlockingSearch {
       }
     } else {
       const SolidLeaf& leaf = leaves_.solids[ref.index()];
-      if (transparent(leaf.head) || !exact().meets(leaf.bounds, from) || from > limit()) return false;
+      if (transparent(leaf.head) || !exact_.meets(leaf.bounds, from) || from > limit()) return false;
       std::vector<Crossing>& scratch = scratch_of_thread();
       scratch.clear();
       leaf.geometry->crossings(query_.ray, query_.hidden_bit, scratch);
@@ -166,7 +155,7 @@ class BlockingSearch {
 
   const Leaves& leaves_;
   const RayQuery& query_;
-  mutable std::optional<ExactRay> exact_;
+  const ExactRay& exact_;
 };
 
 /// Subtrees still to be visited.
@@ -253,14 +242,14 @@ HWY_INLINE bool walk(const WideTree& tree, const BoxRay& ray, const BlockingSear
 }
 
 /// For the rare rays that floats do not suit; kept out of the way of the others.
-HWY_NOINLINE void walk_exactly(const WideTree& tree, const RayQuery& query, ClosestSearch& search) {
-  walk(tree, ExactRay(query), search);
+HWY_NOINLINE void walk_exactly(const WideTree& tree, const ExactRay& ray, ClosestSearch& search) {
+  walk(tree, ray, search);
 }
-HWY_NOINLINE bool walk_exactly(const WideTree& tree, const RayQuery& query, const BlockingSearch& search) {
-  return walk(tree, ExactRay(query), search);
+HWY_NOINLINE bool walk_exactly(const WideTree& tree, const ExactRay& ray, const BlockingSearch& search) {
+  return walk(tree, ray, search);
 }
 
-RayQuery query_of(const RayBlock& rays, std::size_t i) {
+HWY_INLINE RayQuery query_of(const RayBlock& rays, std::size_t i) {
   return {{rays.origin.vector(i), rays.direction.vector(i)},
           rays.min_depth[i],
           rays.max_depth[i],
@@ -275,13 +264,14 @@ void closest_of_block(const Leaves& leaves, const RayBlock& rays, std::span<Hit>
   for (std::size_t i = 0; i < rays.size; ++i) {
     const RayQuery query = query_of(rays, i);
     const PlaneLeaf* plane = planes.plane[i] >= 0 ? &leaves.planes[static_cast<std::size_t>(planes.plane[i])] : nullptr;
-    ClosestSearch search(leaves, query, plane, planes.depth[i]);
+    const ExactRay exact(rays, float_rays.exact_inverse, i);
+    ClosestSearch search(leaves, query, exact, plane, planes.depth[i]);
     for (const ChildRef ref : leaves.beside) search.visit(ref);
     if (has_tree) {
       if ((float_rays.near >> i & 1u) != 0) {
         walk(leaves.tree, FloatRay(float_rays, i), search);
       } else if ((float_rays.usable >> i & 1u) == 0) {
-        walk_exactly(leaves.tree, query, search);
+        walk_exactly(leaves.tree, exact, search);
       }
     }
     hits[i] = search.result();
@@ -297,16 +287,18 @@ std::uint64_t occluded_of_block(const Leaves& leaves, const RayBlock& rays) {
   for (std::uint64_t left = open & (float_rays.near | ~float_rays.usable); left != 0; left &= left - 1) {
     const auto i = static_cast<std::size_t>(__builtin_ctzll(left));
     const RayQuery query = query_of(rays, i);
-    const BlockingSearch search(leaves, query);
+    const ExactRay exact(rays, float_rays.exact_inverse, i);
+    const BlockingSearch search(leaves, query, exact);
     const bool is_blocked = (float_rays.near >> i & 1u) != 0 ? walk(leaves.tree, FloatRay(float_rays, i), search)
-                                                             : walk_exactly(leaves.tree, query, search);
+                                                             : walk_exactly(leaves.tree, exact, search);
     blocked |= std::uint64_t{is_blocked} << i;
   }
   if (leaves.beside.empty()) return blocked;
   for (std::uint64_t left = all & ~blocked; left != 0; left &= left - 1) {
     const auto i = static_cast<std::size_t>(__builtin_ctzll(left));
     const RayQuery query = query_of(rays, i);
-    const BlockingSearch search(leaves, query);
+    const ExactRay exact(rays, float_rays.exact_inverse, i);
+    const BlockingSearch search(leaves, query, exact);
     const bool is_blocked =
         std::any_of(leaves.beside.begin(), leaves.beside.end(), [&](ChildRef ref) { return search.visit(ref); });
     blocked |= std::uint64_t{is_blocked} << i;

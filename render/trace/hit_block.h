@@ -40,10 +40,12 @@ struct HitBlock {
   Column<double> lit_from;     ///< the least cosine to the normal under which a light shines on the front
   Columns3<double> own_light;  ///< times the ray's weight
   std::vector<LayerColumns> layers;
-  std::size_t layer_count = 0;  ///< of the hit that has most
+  std::size_t layer_count = 0;   ///< of the hit that has most
+  bool lit_from_behind = false;  ///< any of them, by a light at its back
 
   void begin(std::size_t most_hits) {
     size = 0;
+    lit_from_behind = false;
     capacity = most_hits;
     layer_count = 0;
   }

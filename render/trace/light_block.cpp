@@ -143,17 +143,23 @@ HWY_INLINE Vec term_of(const HitBlock& block, const LayerColumns& layer, std::si
   const V amount = hn::IfThenElse(lit.behind, load(layer.diffuse_back, i), load(layer.diffuse, i));
   Vec term = load(layer.color, i) * hn::IfThenElseZero(hn::Ne(amount, zero), hn::Mul(falloff, amount));
   if (lit.highlights) {
-    const auto in_front = [&](V strength) HWY_ATTR {
-      return hn::IfThenElseZero(hn::AndNot(lit.behind, hn::Gt(strength, zero)), strength);
-    };
-    const V shine = in_front(load(layer.phong, i));
-    const V gloss = in_front(load(layer.specular, i));
-    V highlight = zero;
-    if (any(hn::Gt(shine, zero))) highlight = phong(layer, i, lit, mirrored, shine);
-    if (any(hn::Gt(gloss, zero))) {
-      highlight = hn::Add(highlight, specular(layer, i, lit, load(block.direction, i), load(block.normal, i), gloss));
+    // Which highlights there are is asked of the surfaces alone: whether they face the light cannot be foretold.
+    const V shine = load(layer.phong, i);
+    const V gloss = load(layer.specular, i);
+    const bool any_shine = any(hn::Gt(shine, zero));
+    const bool any_gloss = any(hn::Gt(gloss, zero));
+    if (any_shine || any_gloss) {
+      const auto in_front = [&](V strength) HWY_ATTR {
+        return hn::IfThenElseZero(hn::AndNot(lit.behind, hn::Gt(strength, zero)), strength);
+      };
+      V highlight = zero;
+      if (any_shine) highlight = phong(layer, i, lit, mirrored, in_front(shine));
+      if (any_gloss) {
+        highlight = hn::Add(highlight,
+                            specular(layer, i, lit, load(block.direction, i), load(block.normal, i), in_front(gloss)));
+      }
+      term = term + tint_of(layer, i, lit.cosine) * highlight;
     }
-    if (any(hn::Ne(highlight, zero))) term = term + tint_of(layer, i, lit.cosine) * highlight;
   }
   return load(layer.share, i) * term;
 }
@@ -196,6 +202,7 @@ void light_hits_of(HitBlock& block, std::span<const Light> lights) {
     const Vec point = load(block.point, i);
     const Vec normal = load(block.normal, i);
     const Vec mirrored = mirrored_at(block, i);
+    const Mask used = hn::FirstN(d, block.size - i);
     auto sum = load(block.sum, i);
     AtStake at_stake;
     for (std::size_t l = 0; l < lights.size(); ++l) {
@@ -210,6 +217,10 @@ void light_hits_of(HitBlock& block, std::span<const Light> lights) {
       lit.cosine = dot(normal, lit.to_light);
       lit.behind = hn::Lt(lit.cosine, load(block.lit_from, i));
       lit.highlights = !light.shadowless;
+      if (!block.lit_from_behind && hn::AllFalse(d, hn::AndNot(lit.behind, used))) {
+        store(hn::Zero(U()), block.light[l], i);
+        continue;
+      }
       Vec term = term_of(block, block.layers[0], i, lit, mirrored);
       for (std::size_t k = 1; k < block.layer_count; ++k) {
         term = term + term_of(block, block.layers[k], i, lit, mirrored);

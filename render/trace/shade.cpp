@@ -91,6 +91,7 @@ void Stepper::meet_layers(Surface& surface, const PlacedTexture& texture) {
     columns.share.set(hit, weight * filter);
     columns.diffuse[hit] = positive(finish.diffuse) * opacity;
     columns.diffuse_back[hit] = positive(finish.diffuse_back) * opacity;
+    block.lit_from_behind |= finish.diffuse_back != 0.0;
     columns.brilliance[hit] = finish.brilliance;
     columns.phong[hit] = finish.phong;
     columns.phong_size[hit] = finish.phong_size;

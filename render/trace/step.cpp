@@ -92,6 +92,12 @@ void Stepper::step_radiance(std::span<const RayTask> tasks, std::span<const Ray>
     for (std::size_t i = 0; i < tasks.size(); ++i) block.direction.set(i, rays[i].direction);
   }
   context_.accel.closest(block, hits_);
+  // What was met lies anywhere in memory: ask for all of it before the first is needed.
+  for (std::size_t i = 0; i < tasks.size(); ++i) {
+    if (hits_[i].part == kNoIndex) continue;
+    __builtin_prefetch(hits_[i].shape);
+    __builtin_prefetch(&context_.scene.parts[hits_[i].part]);
+  }
   surfaces_.clear();
   layers_.clear();
   block_->begin(tasks.size());

@@ -1,0 +1,326 @@
+#include "render/math/fixed_rgb.h"
+#include "render/scene/scene_builder.h"
+#include "render/trace/hit_block.h"
+#include "render/trace/local_light.h"
+#include "render/trace/radiance_bound.h"
+
+#include <gtest/gtest.h>
+#include <hwy/targets.h>
+
+#include <bit>
+#include <cmath>
+#include <functional>
+#include <limits>
+#include <memory>
+#include <random>
+#include <vector>
+
+namespace firstlight::render {
+namespace {
+
+class Dice {
+ public:
+  explicit Dice(unsigned seed) : random_(seed) {}
+  double between(double low, double high) { return std::uniform_real_distribution<double>(low, high)(random_); }
+  Vec3 point(double reach) {
+    const double x = between(-reach, reach);
+    const double y = between(-reach, reach);
+    return {x, y, between(-reach, reach)};
+  }
+  Vec3 direction() { return point(1.0).normalized(); }
+  Rgb color() {
+    const float r = static_cast<float>(between(0.0, 1.0));
+    const float g = static_cast<float>(between(0.0, 1.0));
+    return {r, g, static_cast<float>(between(0.0, 1.0))};
+  }
+  int below(int n) { return std::uniform_int_distribution<int>(0, n - 1)(random_); }
+
+ private:
+  std::mt19937 random_;
+};
+
+/// A hit with one layer, and the light that it gets of one light, by the formulas of POV-Ray's manual.
+struct LitHit {
+  Vec3 point;
+  Vec3 direction;
+  Vec3 normal;
+  Rgb color;
+  Rgb share;
+  double diffuse = 0.0;
+  double diffuse_back = 0.0;
+  double brilliance = 1.0;
+  double phong = 0.0;
+  double phong_size = 40.0;
+  double specular = 0.0;
+  double specular_exponent = 20.0;
+  double metallic = 0.0;
+
+  void put(HitBlock& block, std::size_t i) const {
+    block.point.set(i, point);
+    block.direction.set(i, direction);
+    block.normal.set(i, normal);
+    block.lit_from[i] = 1e-10;
+    block.own_light.set(i, Vec3(0.0));
+    block.lit_from_behind = true;
+    LayerColumns& layer = block.layers[0];
+    layer.color.set(i, color);
+    layer.share.set(i, share);
+    layer.diffuse[i] = diffuse;
+    layer.diffuse_back[i] = diffuse_back;
+    layer.brilliance[i] = brilliance;
+    layer.phong[i] = phong;
+    layer.phong_size[i] = phong_size;
+    layer.specular[i] = specular;
+    layer.specular_exponent[i] = specular_exponent;
+    layer.metallic[i] = metallic;
+  }
+
+  Rgb lit_by(const Light& light) const {
+    const Vec3 to_light = (light.position - point).normalized();
+    const double cosine = normal.dot(to_light);
+    const bool behind = cosine < 1e-10;
+    Rgb term = color * static_cast<float>((behind ? diffuse_back : diffuse) * std::pow(std::abs(cosine), brilliance));
+    if (!behind && !light.shadowless) {
+      const Vec3 mirrored = direction - normal * (2.0 * direction.dot(normal));
+      const Vec3 halfway = (to_light - direction).normalized();
+      const double shine = std::pow(std::max(mirrored.dot(to_light), 0.0), phong_size) * phong;
+      const double gloss = std::pow(std::max(halfway.dot(normal), 0.0), specular_exponent) * specular;
+      term += metallic_tint(Rgb(1.0f), color, metallic, cosine) * static_cast<float>(shine + gloss);
+    }
+    const double fade = fading(light, (light.position - point).length());
+    return share * term * light.color * static_cast<float>(fade);
+  }
+};
+
+LitHit random_hit(Dice& dice) {
+  LitHit hit;
+  hit.point = dice.point(3.0);
+  hit.direction = dice.direction();
+  hit.normal = dice.direction();
+  if (hit.normal.dot(hit.direction) > 0.0) hit.normal = -hit.normal;
+  hit.color = dice.color();
+  hit.share = dice.color();
+  hit.diffuse = dice.between(0.0, 1.0);
+  if (dice.below(3) == 0) hit.diffuse_back = dice.between(0.0, 1.0);
+  if (dice.below(3) == 0) hit.brilliance = dice.between(0.1, 8.0);
+  if (dice.below(2) == 0) hit.phong = dice.between(0.0, 1.0);
+  hit.phong_size = dice.between(1.0, 55.0);
+  if (dice.below(2) == 0) hit.specular = dice.between(0.0, 1.0);
+  hit.specular_exponent = std::pow(10.0, dice.between(0.0, 3.5));
+  if (dice.below(2) == 0) hit.metallic = dice.between(0.0, 1.0);
+  return hit;
+}
+
+Light random_light(Dice& dice) {
+  Light light;
+  light.position = dice.point(9.0);
+  light.color = dice.color();
+  if (dice.below(2) == 0) {
+    light.fade_distance = dice.between(-1.0, 9.0);
+    light.fade_power = dice.below(4) == 0 ? 2.0 : std::round(dice.between(1.0, 4.0));
+  }
+  light.shadowless = dice.below(4) == 0;
+  return light;
+}
+
+std::unique_ptr<HitBlock> block_of(const std::vector<LitHit>& hits) {
+  auto block = std::make_unique<HitBlock>();
+  block->begin(hits.size());
+  block->layers.resize(1);
+  block->layer_count = 1;
+  for (const LitHit& hit : hits) hit.put(*block, block->size++);
+  begin_light(*block);
+  return block;
+}
+
+/// What a block found, as bytes.
+std::vector<std::int64_t> found(const HitBlock& block, std::size_t lights) {
+  std::vector<std::int64_t> all;
+  for (std::size_t i = 0; i < block.size; ++i) {
+    all.push_back(block.mirrored[i]);
+    for (const auto& column : block.sum.of) all.push_back(column[i]);
+    all.push_back(block.at_stake[i]);
+    for (std::size_t l = 0; l < lights; ++l) all.push_back(std::bit_cast<std::int64_t>(block.light[l][i]));
+  }
+  return all;
+}
+
+void for_each_instruction_set(const std::function<void()>& test) {
+  for (const std::int64_t target : hwy::SupportedAndGeneratedTargets()) {
+    SCOPED_TRACE(hwy::TargetName(target));
+    hwy::GetChosenTarget().Update(target);
+    test();
+  }
+  hwy::GetChosenTarget().Update(hwy::SupportedTargets());
+}
+
+TEST(LightBlock, LightIsThatOfTheFormulas) {
+  Dice dice(1);
+  for (int round = 0; round < 200; ++round) {
+    std::vector<LitHit> hits;
+    for (std::size_t i = 0; i < 29; ++i) hits.push_back(random_hit(dice));
+    const Light light = random_light(dice);
+    const auto block = block_of(hits);
+    light_hits(*block, {&light, 1});
+    for (std::size_t i = 0; i < hits.size(); ++i) {
+      const Rgb expected = hits[i].lit_by(light);
+      const Rgb sum = FixedRgb{block->sum.of[0][i], block->sum.of[1][i], block->sum.of[2][i]}.to_rgb();
+      const Rgb at_stake = PackedRgb::from_bits(block->light[0][i]).unpack();
+      const float tolerance = 3e-5f * max_magnitude(expected) + 1e-10f;  // mantissas of 18 bits
+      for (int c = 0; c < 3; ++c) {
+        ASSERT_NEAR(sum[c], expected[c], tolerance);
+        ASSERT_NEAR(at_stake[c], light.shadowless ? 0.0f : expected[c], tolerance);
+      }
+    }
+  }
+}
+
+TEST(LightBlock, NothingDependsOnTheInstructionSetOrOnTheOtherHits) {
+  Dice dice(2);
+  std::vector<LitHit> hits;
+  std::vector<Light> lights;
+  for (std::size_t i = 0; i < kRaysAtOnce; ++i) hits.push_back(random_hit(dice));
+  for (std::size_t l = 0; l < kLightsAtOnce; ++l) lights.push_back(random_light(dice));
+  const auto light_all = [&](const std::vector<LitHit>& some) {
+    const auto block = block_of(some);
+    light_hits(*block, lights);
+    return found(*block, lights.size());
+  };
+  const std::vector<std::int64_t> best = light_all(hits);
+  for_each_instruction_set([&] {
+    EXPECT_EQ(light_all(hits), best);
+    std::vector<std::int64_t> one_by_one;
+    for (const LitHit& hit : hits) {
+      const std::vector<std::int64_t> one = light_all({hit});
+      one_by_one.insert(one_by_one.end(), one.begin(), one.end());
+    }
+    EXPECT_EQ(one_by_one, best);
+  });
+}
+
+TEST(LightBlock, WhatIsAddedIsWhatTheFeelersHold) {
+  Dice dice(3);
+  std::vector<LitHit> hits;
+  for (std::size_t i = 0; i < kRaysAtOnce; ++i) hits.push_back(random_hit(dice));
+  // From absurdly dark to absurdly bright.
+  for (const float strength : {1e-38f, 1e-12f, 1e-6f, 1.0f, 1e4f, 1e9f, 1e30f}) {
+    std::vector<Light> lights(3);
+    for (Light& light : lights) {
+      light.position = dice.point(9.0);
+      light.color = dice.color() * strength;
+    }
+    for_each_instruction_set([&] {
+      const auto block = block_of(hits);
+      light_hits(*block, lights);
+      for (std::size_t i = 0; i < hits.size(); ++i) {
+        FixedRgb sum;
+        RayTask record;
+        bool any = false;
+        for (std::uint32_t l = 0; l < lights.size(); ++l) {
+          const PackedRgb at_stake = PackedRgb::from_bits(block->light[l][i]);
+          sum += FixedRgb::from(at_stake);
+          if (at_stake.bits() == 0) continue;
+          if (any) {
+            ASSERT_TRUE(record.add_feeler(l, at_stake));
+          } else {
+            record.set_feeler(l, at_stake);
+          }
+          any = true;
+        }
+        ASSERT_EQ(sum, (FixedRgb{block->sum.of[0][i], block->sum.of[1][i], block->sum.of[2][i]}));
+        const RadianceBound bound(*SceneBuilder().build());
+        ASSERT_EQ(block->at_stake[i], any ? bound.at_stake(record) : 0);
+      }
+    });
+  }
+}
+
+TEST(LightBlock, NoLightComesFromTheLightItselfNorFromWhatIsNoNumber) {
+  Dice dice(4);
+  LitHit hit = random_hit(dice);
+  Light light;
+  light.position = hit.point;
+  const auto in_the_light = block_of({hit});
+  light_hits(*in_the_light, {&light, 1});
+  EXPECT_EQ(in_the_light->light[0][0], 0u);
+
+  light.position = hit.point + hit.normal;
+  hit.diffuse = 1.0;
+  hit.color = Rgb(std::numeric_limits<float>::quiet_NaN());
+  const auto no_number = block_of({hit});
+  light_hits(*no_number, {&light, 1});
+  EXPECT_EQ(no_number->light[0][0], 0u);
+  EXPECT_EQ(no_number->sum.of[0][0], 0);
+}
+
+TEST(LightBlock, DirectionsArePackedAndUnpackedAsOneByOne) {
+  Dice dice(5);
+  std::vector<LitHit> hits;
+  for (std::size_t i = 0; i < kRaysAtOnce; ++i) {
+    LitHit hit = random_hit(dice);
+    if (i < 6) {  // along an axis
+      hit.direction = Vec3(0.0);
+      hit.direction[static_cast<int>(i / 2)] = i % 2 == 0 ? 1.0 : -1.0;
+      hit.normal = -hit.direction;
+    }
+    hits.push_back(hit);
+  }
+  for_each_instruction_set([&] {
+    const auto block = block_of(hits);
+    auto unpacked = std::make_unique<Columns3<double>>();
+    unpack_directions(block->mirrored, hits.size(), *unpacked);
+    for (std::size_t i = 0; i < hits.size(); ++i) {
+      const Vec3& normal = hits[i].normal;
+      const PackedDirection mirrored(hits[i].direction - normal * (2.0 * hits[i].direction.dot(normal)));
+      ASSERT_EQ(block->mirrored[i], std::bit_cast<std::int64_t>(mirrored));
+      ASSERT_EQ(unpacked->vector(i), mirrored.unpack());
+    }
+  });
+}
+
+TEST(FeelerBlock, FeelersAimAtTheirLightsAndTakeBackWhatTheyHold) {
+  Dice dice(6);
+  std::vector<LightPlace> places;
+  for (int l = 0; l < 20; ++l) {
+    const Vec3 at = dice.point(9.0);
+    places.push_back({at.x, at.y, at.z, 0.0});
+  }
+  std::vector<RayTask> records(37);
+  for (RayTask& record : records) {
+    record.origin = dice.point(5.0);
+    std::uint32_t light = static_cast<std::uint32_t>(dice.below(10));
+    record.set_feeler(light, PackedRgb(dice.color()));
+    for (int more = dice.below(3); more > 0; --more) record.add_feeler(++light, PackedRgb(dice.color() * -0.5f));
+  }
+  const RadianceBound bound(*SceneBuilder().build());
+  for_each_instruction_set([&] {
+    auto block = std::make_unique<FeelerBlock>();
+    block->begin(records.size());
+    for (std::size_t i = 0; i < records.size(); ++i) {
+      block->origin.set(i, records[i].origin);
+      std::size_t slot = 0;
+      records[i].for_each_feeler([&](std::uint32_t light, PackedRgb held) { block->add(i, slot++, light, held); });
+    }
+    aim_feelers(*block, places);
+    for (std::size_t s = 0; s < block->slot_count; ++s) block->slots[s].blocked = 0x123456789abcdef0u << s;
+    take_back(*block);
+    for (std::size_t i = 0; i < records.size(); ++i) {
+      FixedRgb expected;
+      std::size_t s = 0;
+      records[i].for_each_feeler([&](std::uint32_t light, PackedRgb held) {
+        const FeelerBlock::Slot& slot = block->slots[s++];
+        const Vec3 way = Vec3(places[light][0], places[light][1], places[light][2]) - records[i].origin;
+        EXPECT_NEAR((slot.rays.direction.vector(i) - way.normalized()).length(), 0.0, 1e-15);
+        EXPECT_EQ(slot.rays.origin.vector(i), records[i].origin);
+        EXPECT_DOUBLE_EQ(slot.rays.max_depth[i], way.length() - kShadowGap);
+        if ((slot.blocked >> i & 1u) != 0) expected -= FixedRgb::from(held);
+      });
+      for (; s < block->slot_count; ++s) EXPECT_LE(block->slots[s].rays.max_depth[i], kShadowGap);
+      EXPECT_EQ(expected, (FixedRgb{block->sum.of[0][i], block->sum.of[1][i], block->sum.of[2][i]}));
+      EXPECT_EQ(block->at_stake[i], bound.at_stake(records[i]));
+    }
+  });
+}
+
+}  // namespace
+}  // namespace firstlight::render
