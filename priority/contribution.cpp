@@ -17,9 +17,10 @@ using render::RayTask;
 
 /// The share of its light that a reflected or transmitted ray counts for, against the light that a feeler takes back:
 /// it brings lights that feelers have still to take back, and costs several times what a feeler does.
-constexpr float kRayShare = 0.125f;
-/// Nothing is known of a primary ray when its turn is decided.
-constexpr float kPrimaryGain = 0.0625f;
+constexpr float kRayShare = 0.08f;
+/// Nothing is known of a primary ray when its turn is decided. A small gain lets the coarse pixels be nearly finished
+/// before the finest begin, as the preview fills those meanwhile.
+constexpr float kPrimaryGain = 0.01f;
 
 /// Tasks of which one is learnt from: neighbours tell much the same, and learning takes time.
 constexpr std::size_t kLearnOneOf = 4;

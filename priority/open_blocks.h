@@ -24,7 +24,7 @@ class OpenBlocks {
   void scatter(std::span<const render::RayTask> tasks, std::span<const Key> keys,
                std::vector<render::RayTask>& overflow);
   /// The highest slot with an open block, kNoSlot when there is none.
-  int top() const { return used_.top(); }
+  int top(Among among = Among::all) const { return used_.top(among); }
   /// Removes and returns the open block of `slot`. Pre: there is one.
   Block* take(Slot slot);
   /// Gives all open blocks to the queue.

@@ -52,8 +52,8 @@ void RayQueue::push(Slot slot, Block* block, std::uint64_t version) {
   if (emptied != nullptr) pool_.release(emptied);
 }
 
-RayQueue::Popped RayQueue::pop_locked(int at_least) {
-  const int top = used_.top();
+RayQueue::Popped RayQueue::pop_locked(int at_least, Among among) {
+  const int top = used_.top(among);
   if (top == kNoSlot || top < at_least || closed()) return {};
   List& list = lists_[static_cast<Slot>(top)];
   Block* block = list.full;
@@ -70,9 +70,9 @@ RayQueue::Popped RayQueue::pop_locked(int at_least) {
   return {block, static_cast<Slot>(top)};
 }
 
-RayQueue::Popped RayQueue::pop(int at_least) {
+RayQueue::Popped RayQueue::pop(int at_least, Among among) {
   const std::lock_guard lock(mutex_);
-  return pop_locked(at_least);
+  return pop_locked(at_least, among);
 }
 
 RayQueue::Popped RayQueue::wait_and_pop(const std::function<bool()>& refill) {
@@ -90,7 +90,7 @@ RayQueue::Popped RayQueue::wait_and_pop(const std::function<bool()>& refill) {
     changed_.wait(lock, [&, seen = refills_] { return closed() || something() || refills_ != seen; });
   }
   idle_.fetch_sub(1, std::memory_order_relaxed);
-  return pop_locked(0);
+  return pop_locked(0, Among::all);
 }
 
 void RayQueue::close() {

@@ -36,7 +36,7 @@ class RayQueue {
     Slot slot = 0;
   };
   /// The fullest block of the highest slot, if that is `at_least` or more.
-  Popped pop(int at_least = 0);
+  Popped pop(int at_least = 0, Among among = Among::all);
   /// As pop(), but waits while other workers may still push. When all have run dry, the last of them calls `refill`,
   /// while the others rest: true when there is something to do again. Null: look around for work of another kind, or
   /// closed().
@@ -78,7 +78,7 @@ class RayQueue {
     Block* full = nullptr;
     Block* partial = nullptr;  ///< neither full nor empty
   };
-  Popped pop_locked(int at_least);
+  Popped pop_locked(int at_least, Among among);
   /// Returns a block that is left over, to be released; or null.
   Block* add_locked(List& list, Block* block);
   void make_stale_locked(Block* list);

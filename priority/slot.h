@@ -19,6 +19,9 @@ constexpr int kNoSlot = -1;
 constexpr Slot slot_of(Key key, render::RayKind kind) { return 2 * key + (kind == render::RayKind::shadow ? 0u : 1u); }
 constexpr Key key_of(Slot slot) { return slot / 2; }
 
+/// Which slots are looked at: all, or those of shadow rays.
+enum class Among { all, shadows };
+
 /// A set of slots whose largest member is found in a few instructions: a bitmap of bitmaps.
 class SlotSet {
  public:
@@ -30,18 +33,23 @@ class SlotSet {
     words_[slot / 64] &= ~bit(slot % 64);
     if (words_[slot / 64] == 0) summary_[slot / 4096] &= ~bit(slot / 64 % 64);
   }
-  /// kNoSlot when empty.
-  int top() const {
+  /// kNoSlot when there is none.
+  int top(Among among = Among::all) const {
+    const std::uint64_t mask = among == Among::all ? ~std::uint64_t{0} : kShadows;
     for (Slot s = kSummaries; s-- > 0;) {
-      if (summary_[s] == 0) continue;
-      const Slot word = 64 * s + highest(summary_[s]);
-      return static_cast<int>(64 * word + highest(words_[word]));
+      for (std::uint64_t left = summary_[s]; left != 0;) {
+        const Slot bit_of_word = highest(left);
+        const Slot word = 64 * s + bit_of_word;
+        if ((words_[word] & mask) != 0) return static_cast<int>(64 * word + highest(words_[word] & mask));
+        left &= ~bit(bit_of_word);
+      }
     }
     return kNoSlot;
   }
 
  private:
   static constexpr Slot kSummaries = kSlots / 4096;
+  static constexpr std::uint64_t kShadows = 0x5555555555555555u;  // slot_of() of shadow rays is even
   static_assert(kSlots % 4096 == 0);
 
   static constexpr std::uint64_t bit(Slot index) { return std::uint64_t{1} << index; }

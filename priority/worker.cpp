@@ -62,6 +62,7 @@ bool Worker::primaries_are_next() {
   if (primaries == kNoSlot) return false;
   const int waiting = std::max(open_.top(), queue_.top());
   if (waiting == kNoSlot) return true;
+  if (queue_.waiting() > shared_.long_queue) return false;
   if (pool_.budget() != 0) {
     // Near the budget what waits is traced first, until there is room for a good number of new rays.
     const std::size_t used = pool_.bytes();
@@ -98,6 +99,14 @@ void Worker::trace_block(const RayQueue::Popped& popped) {
 
 // Of two equal slots the queue's block is preferred: it is the fuller one.
 RayQueue::Popped Worker::next_block() {
+  if (queue_.waiting() > shared_.long_queue) {
+    // Feelers have no children: tracing them first makes a long queue shorter.
+    const int mine = open_.top(Among::shadows);
+    if (const RayQueue::Popped shared = queue_.pop(std::max(mine, 0), Among::shadows); shared.block != nullptr) {
+      return shared;
+    }
+    if (mine != kNoSlot) return {open_.take(static_cast<Slot>(mine)), static_cast<Slot>(mine)};
+  }
   const int mine = open_.top();
   if (queue_.top() >= mine) {
     if (const RayQueue::Popped shared = queue_.pop(mine); shared.block != nullptr) return shared;

@@ -17,15 +17,22 @@ namespace firstlight::priority {
 
 /// What the workers of a queued order share.
 struct Shared {
-  Shared(const TraceOptions& options)
+  /// `worst_case`: the most rays that could wait at once.
+  Shared(const TraceOptions& options, std::uint64_t worst_case)
       : pool(options.queue_memory, options.block_size),
         queue(pool, options.threads),
+        long_queue(worst_case / kShareOfWorstCase),
         tops(static_cast<std::size_t>(options.threads)) {
     for (std::atomic<int>& top : tops) top = kNoSlot;
   }
 
+  /// A longer queue costs memory, whose first touch costs time; on the sphere-flake in a room of mirrors it would be
+  /// twice as long, and 1 % of the error would be reached after 37 instead of 48 % of the rays.
+  static constexpr std::uint64_t kShareOfWorstCase = 42;
+
   BlockPool pool;
   RayQueue queue;
+  const std::uint64_t long_queue;      ///< rays beyond which feelers come first
   std::vector<std::atomic<int>> tops;  ///< the highest slot of each worker's open blocks
   std::atomic<bool> is_short_of_memory = false;
   std::atomic<std::uint64_t> inverted_rays = 0;
