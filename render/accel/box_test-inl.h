@@ -37,8 +37,6 @@ HWY_INLINE unsigned bits_of(D d, M mask) {
 /// Each operation is monotone: a box within another is never entered before it, nor left after it.
 class ExactRay {
  public:
-  using Depth = double;
-
   HWY_INLINE ExactRay(const RayBlock& rays, const Columns3<double>& inverse, std::size_t i)
       : min_depth_(rays.min_depth[i]) {
     for (std::size_t axis = 0; axis < 3; ++axis) {
@@ -71,8 +69,8 @@ class ExactRay {
     return near <= leave * kAway;
   }
 
-  /// Bits of the slots that the ray meets between its min_depth and `last`; `near` gets where it enters them.
-  HWY_INLINE unsigned meet_children(const WideNode& node, double last, double* HWY_RESTRICT near) const {
+  /// Bits of the slots that the ray meets between its min_depth and `last`.
+  HWY_INLINE unsigned meet_children(const WideNode& node, double last) const {
     const hn::CappedTag<double, kTreeWidth> wide;
     const hn::Rebind<float, decltype(wide)> narrow;
     unsigned bits = 0;
@@ -90,12 +88,9 @@ class ExactRay {
       }
       leave = hn::Min(hn::Mul(leave, hn::Set(wide, kAway)), hn::Set(wide, last));
       bits |= bits_of(wide, hn::Le(enter, leave)) << slot;
-      hn::Store(enter, wide, near + slot);
     }
     return bits;
   }
-
-  static double above(double depth) { return depth; }
 
  private:
   static constexpr double kAway = 1.0 + 2e-15;
@@ -125,14 +120,15 @@ struct FloatRays {
   Columns3<float> enter;  ///< what the depths of faces begin with, less the margin
   Columns3<float> leave;  ///< plus the margin
   Column<float> min_depth;
+  Column<float> last;        ///< not below the depth up to which a ray looks; comes down when something is met
   std::uint64_t usable = 0;  ///< not set where the margin is not small beside the boxes of the tree, or a number would
                              ///< leave the range of floats
   std::uint64_t near = 0;    ///< of the usable, those that may meet the tree's box between their depths
 
-  /// Rays whose `last` is not beyond their min_depth are left out.
-  HWY_INLINE FloatRays(const RayBlock& rays, const Column<double>& last, const WideTree& tree) {
+  /// Rays whose `last_depth` is not beyond their min_depth are left out.
+  HWY_INLINE FloatRays(const RayBlock& rays, const Column<double>& last_depth, const WideTree& tree) {
     const hn::CappedTag<double, 8> d;
-    for (std::size_t i = 0; i < rays.size; i += hn::Lanes(d)) prepare(rays, last, tree, i);
+    for (std::size_t i = 0; i < rays.size; i += hn::Lanes(d)) prepare(rays, last_depth, tree, i);
     const std::uint64_t all = ~std::uint64_t{0} >> (kRaysAtOnce - rays.size);
     usable &= all;
     near &= usable;
@@ -149,7 +145,7 @@ struct FloatRays {
   static constexpr float kLeastDirection = 0x1p-10f;
   static constexpr float kLargestDirection = 0x1p10f;
 
-  HWY_INLINE void prepare(const RayBlock& rays, const Column<double>& last, const WideTree& tree, std::size_t i) {
+  HWY_INLINE void prepare(const RayBlock& rays, const Column<double>& last_depth, const WideTree& tree, std::size_t i) {
     const hn::CappedTag<double, 8> d;
     const hn::Rebind<float, decltype(d)> f;
     const FloatLimits& limits = tree.float_limits();
@@ -159,10 +155,11 @@ struct FloatRays {
       return hn::Add(hn::Mul(hn::Abs(depth), hn::Set(f, 0x1p-22f)), hn::Set(f, 1e-30f));
     };
     const auto least_depth = rounded(rays.min_depth);
-    const auto last_depth = rounded(last);
+    const auto end_depth = rounded(last_depth);
     auto first = hn::Sub(least_depth, outwards(least_depth));
     hn::Store(first, f, min_depth.at.data() + i);
-    auto end = hn::Add(last_depth, outwards(last_depth));
+    auto end = hn::Add(end_depth, outwards(end_depth));
+    hn::Store(end, f, last.at.data() + i);
     auto fits = hn::Eq(first, first);
     auto strong = hn::Lt(first, hn::Neg(hn::Inf(f)));  // none
     for (std::size_t axis = 0; axis < 3; ++axis) {
@@ -191,51 +188,6 @@ struct FloatRays {
     usable |= std::uint64_t{bits_of(f, hn::And(fits, strong))} << i;
     near |= std::uint64_t{bits_of(f, hn::Le(first, end))} << i;
   }
-};
-
-/// One of the rays, for the children of nodes.
-class FloatRay {
- public:
-  using Depth = float;
-
-  HWY_INLINE FloatRay(const FloatRays& rays, std::size_t i) : min_depth_(rays.min_depth[i]) {
-    for (std::size_t axis = 0; axis < 3; ++axis) {
-      inverse_[axis] = rays.inverse.of[axis][i];
-      enter_[axis] = rays.enter.of[axis][i];
-      leave_[axis] = rays.leave.of[axis][i];
-      near_row_[axis] = 2 * axis + (std::bit_cast<std::uint32_t>(inverse_[axis]) >> 31);
-    }
-  }
-
-  /// Bits of the slots that the ray may meet between its min_depth and `last`; `near` gets where it may enter them.
-  HWY_INLINE unsigned meet_children(const WideNode& node, float last, float* HWY_RESTRICT near) const {
-    const hn::CappedTag<float, kTreeWidth> wide;
-    unsigned bits = 0;
-    for (std::size_t slot = 0; slot < kTreeWidth; slot += hn::Lanes(wide)) {
-      auto enter = hn::Set(wide, min_depth_);
-      auto leave = hn::Set(wide, last);
-      for (std::size_t axis = 0; axis < 3; ++axis) {
-        const auto inverse = hn::Set(wide, inverse_[axis]);
-        const std::size_t row = near_row_[axis];
-        const auto near_face = hn::Load(wide, node.bounds[row] + slot);
-        const auto far_face = hn::Load(wide, node.bounds[row ^ 1] + slot);
-        enter = hn::Max(enter, hn::MulAdd(near_face, inverse, hn::Set(wide, enter_[axis])));
-        leave = hn::Min(leave, hn::MulAdd(far_face, inverse, hn::Set(wide, leave_[axis])));
-      }
-      bits |= bits_of(wide, hn::Le(enter, leave)) << slot;
-      hn::Store(enter, wide, near + slot);
-    }
-    return bits;
-  }
-
-  static float above(double depth) { return FloatRays::above(depth); }
-
- private:
-  float inverse_[3];
-  float enter_[3];
-  float leave_[3];
-  std::size_t near_row_[3];
-  float min_depth_;
 };
 
 }  // namespace HWY_NAMESPACE

@@ -36,21 +36,22 @@ struct SphereCrossings {
   alignas(64) double leaves[kLanes];
 };
 
-/// Bits of the spheres with a crossing that may lie between the query's min_depth and `max_depth`, both included.
-HWY_INLINE unsigned meet_spheres(const SphereBlock& block, const RayQuery& query, double max_depth,
+/// Bits of the spheres with a crossing that may lie between the ray's min_depth and `max_depth`, both included.
+HWY_INLINE unsigned meet_spheres(const SphereBlock& block, const RayBlock& rays, std::size_t ray, double max_depth,
                                  SphereCrossings& out) {
   const Doubles d;
-  const Ray& ray = query.ray;
+  const auto all = [&](const Column<double>& column) HWY_ATTR { return hn::Set(d, column[ray]); };
+  const auto& origin = rays.origin.of;
+  const auto& direction = rays.direction.of;
   unsigned bits = 0;
   for (std::size_t lane = 0; lane < kLanes; lane += hn::Lanes(d)) {
-    const auto x = hn::Sub(hn::Load(d, block.center[0] + lane), hn::Set(d, ray.origin.x));
-    const auto y = hn::Sub(hn::Load(d, block.center[1] + lane), hn::Set(d, ray.origin.y));
-    const auto z = hn::Sub(hn::Load(d, block.center[2] + lane), hn::Set(d, ray.origin.z));
+    const auto x = hn::Sub(hn::Load(d, block.center[0] + lane), all(origin[0]));
+    const auto y = hn::Sub(hn::Load(d, block.center[1] + lane), all(origin[1]));
+    const auto z = hn::Sub(hn::Load(d, block.center[2] + lane), all(origin[2]));
     const auto radius_squared = hn::Load(d, block.radius_squared + lane);
     const auto epsilon = hn::Set(d, kEpsilon);
     const auto distance_squared = dot(x, y, z, x, y, z);
-    const auto closest_approach =
-        dot(x, y, z, hn::Set(d, ray.direction.x), hn::Set(d, ray.direction.y), hn::Set(d, ray.direction.z));
+    const auto closest_approach = dot(x, y, z, all(direction[0]), all(direction[1]), all(direction[2]));
     const auto half_chord_squared =
         hn::Add(hn::Sub(radius_squared, distance_squared), hn::Mul(closest_approach, closest_approach));
     const auto behind = hn::And(hn::Ge(distance_squared, radius_squared), hn::Lt(closest_approach, epsilon));
@@ -59,7 +60,7 @@ HWY_INLINE unsigned meet_spheres(const SphereBlock& block, const RayQuery& query
     const auto half_chord = hn::Sqrt(half_chord_squared);
     const auto enters = hn::Sub(closest_approach, half_chord);
     const auto leaves = hn::Add(closest_approach, half_chord);
-    const auto within = hn::And(hn::Ge(leaves, hn::Set(d, query.min_depth)), hn::Le(enters, hn::Set(d, max_depth)));
+    const auto within = hn::And(hn::Ge(leaves, all(rays.min_depth)), hn::Le(enters, hn::Set(d, max_depth)));
     hn::Store(enters, d, out.enters + lane);
     hn::Store(leaves, d, out.leaves + lane);
     bits |= bits_of(d, hn::And(met, within)) << lane;

@@ -24,286 +24,284 @@ std::vector<Crossing>& scratch_of_thread() {
   return scratch;
 }
 
-/// Looks for the nearest crossing of one ray.
+HWY_INLINE Ray ray_of(const RayBlock& rays, std::size_t i) { return {rays.origin.vector(i), rays.direction.vector(i)}; }
+
+/// Looks for the nearest crossing of each ray of a block.
 ///
 /// A crossing before the ray enters the leaf's box, or of a leaf whose box it misses, is an artefact of rounding far
 /// away from the object; were it taken, the answer could depend on which subtree is visited first.
 class ClosestSearch {
  public:
-  /// `plane`: the nearest, met at `depth`; null for none, with `depth` as the query's max_depth.
-  ClosestSearch(const Leaves& leaves, const RayQuery& query, const ExactRay& exact, const PlaneLeaf* plane,
-                double depth)
-      : leaves_(leaves), query_(query), exact_(exact) {
-    hit_.depth = depth;
-    hit_.solid = 0;  // a crossing at exactly max_depth must not win the tie
-    if (plane != nullptr) hit_ = {depth, plane->head.part, 0, plane->head.shape, plane->head.solid};
-  }
+  ClosestSearch(const Leaves& leaves, const RayBlock& rays, FloatRays& float_rays, std::span<Hit> hits)
+      : leaves_(leaves), rays_(rays), float_rays_(float_rays), hits_(hits) {}
 
-  double limit() const { return hit_.depth; }
-  Hit result() const {
-    if (hit_.part == kNoIndex) return Hit();
-    return hit_;
-  }
+  double limit(std::size_t i) const { return hits_[i].depth; }
 
-  HWY_INLINE void visit(ChildRef ref) {
+  /// Ray i meets what `ref` stands for. Pre: it is a leaf.
+  HWY_INLINE void visit(std::size_t i, ChildRef ref) {
     if (ref.kind() != ChildKind::sphere) {
-      visit_other(ref);
+      visit_other(i, ref);
       return;
     }
     SphereCrossings at;
-    unsigned bits = meet_spheres(leaves_.sphere_blocks[ref.index()], query_, limit(), at);
+    unsigned bits = meet_spheres(leaves_.sphere_blocks[ref.index()], rays_, i, limit(i), at);
     for (; bits != 0; bits &= bits - 1) {
       const auto lane = static_cast<std::size_t>(__builtin_ctz(bits));
       const SphereLeaf& leaf = leaves_.spheres[ref.index() * kLanes + lane];
       double from = 0.0;
-      if (hidden(leaf.head) || !exact_.meets(leaf.bounds, from)) continue;
-      if (sphere_depth_counts(at.leaves[lane])) offer(at.leaves[lane], 0, leaf.head, from);
-      if (sphere_depth_counts(at.enters[lane])) offer(at.enters[lane], 0, leaf.head, from);
+      if (hidden(i, leaf.head) || !exact(i).meets(leaf.bounds, from)) continue;
+      if (sphere_depth_counts(at.leaves[lane])) offer(i, at.leaves[lane], 0, leaf.head, from);
+      if (sphere_depth_counts(at.enters[lane])) offer(i, at.enters[lane], 0, leaf.head, from);
     }
   }
 
  private:
-  bool hidden(const LeafHead& head) const { return (head.hidden_from & query_.hidden_bit) != 0; }
+  bool hidden(std::size_t i, const LeafHead& head) const { return (head.hidden_from & rays_.hidden_bit[i]) != 0; }
+  HWY_INLINE ExactRay exact(std::size_t i) const { return ExactRay(rays_, float_rays_.exact_inverse, i); }
 
-  HWY_NOINLINE void visit_other(ChildRef ref) {
+  HWY_NOINLINE void visit_other(std::size_t i, ChildRef ref) {
     double from = 0.0;
     if (ref.kind() == ChildKind::box) {
       const BoxLeaf& leaf = leaves_.boxes[ref.index()];
-      if (hidden(leaf.head) || !exact_.meets(leaf.bounds, from)) return;
+      if (hidden(i, leaf.head) || !exact(i).meets(leaf.bounds, from)) return;
       Met met;
-      leaf.box.meet(query_.ray, met);
-      for (std::size_t i = met.count; i-- > 0;) offer(met.depth[i], met.face[i], leaf.head, from);
+      leaf.box.meet(ray_of(rays_, i), met);
+      for (std::size_t m = met.count; m-- > 0;) offer(i, met.depth[m], met.face[m], leaf.head, from);
     } else {
       const SolidLeaf& leaf = leaves_.solids[ref.index()];
-      if (hidden(leaf.head) || !exact_.meets(leaf.bounds, from) || from > limit()) return;
+      if (hidden(i, leaf.head) || !exact(i).meets(leaf.bounds, from) || from > limit(i)) return;
       std::vector<Crossing>& scratch = scratch_of_thread();
       scratch.clear();
-      leaf.geometry->crossings(query_.ray, query_.hidden_bit, scratch);
+      leaf.geometry->crossings(ray_of(rays_, i), static_cast<std::uint8_t>(rays_.hidden_bit[i]), scratch);
       LeafHead head = leaf.head;
-      for (std::size_t i = scratch.size(); i-- > 0;) {
-        head.shape = scratch[i].shape;
-        head.part = scratch[i].part;
-        offer(scratch[i].depth, scratch[i].face, head, from);
+      for (std::size_t c = scratch.size(); c-- > 0;) {
+        head.shape = scratch[c].shape;
+        head.part = scratch[c].part;
+        offer(i, scratch[c].depth, scratch[c].face, head, from);
       }
     }
   }
 
   /// Crossings of one solid are offered last first; the first of equals stays.
-  void offer(double depth, std::uint32_t face, const LeafHead& head, double from) {
-    if (!(depth > query_.min_depth && depth >= from)) return;
-    if (!(depth < hit_.depth || (depth == hit_.depth && head.solid < hit_.solid))) return;
-    hit_ = {depth, head.part, face, head.shape, head.solid};
+  HWY_INLINE void offer(std::size_t i, double depth, std::uint32_t face, const LeafHead& head, double from) {
+    Hit& hit = hits_[i];
+    if (!(depth > rays_.min_depth[i] && depth >= from)) return;
+    if (!(depth < hit.depth || (depth == hit.depth && head.solid < hit.solid))) return;
+    hit = {depth, head.part, face, head.shape, head.solid};
+    float_rays_.last[i] = FloatRays::above(depth);
   }
 
   const Leaves& leaves_;
-  const RayQuery& query_;
-  const ExactRay& exact_;
-  Hit hit_;
+  const RayBlock& rays_;
+  FloatRays& float_rays_;
+  std::span<Hit> hits_;
 };
 
-/// Looks for any opaque crossing of one ray; the visits tell whether there was one.
+/// Looks for any opaque crossing of each ray of a block.
 class BlockingSearch {
  public:
-  BlockingSearch(const Leaves& leaves, const RayQuery& query, const ExactRay& exact)
-      : leaves_(leaves), query_(query), exact_(exact) {}
+  BlockingSearch(const Leaves& leaves, const RayBlock& rays, FloatRays& float_rays)
+      : leaves_(leaves), rays_(rays), float_rays_(float_rays) {}
 
-  double limit() const { return query_.max_depth; }
+  /// Bits of the rays that met something.
+  std::uint64_t blocked() const { return blocked_; }
+  /// A ray that is blocked looks no further.
+  double limit(std::size_t i) const {
+    return (blocked_ >> i & 1u) != 0 ? std::numeric_limits<double>::lowest() : rays_.max_depth[i];
+  }
 
-  HWY_INLINE bool visit(ChildRef ref) const {
-    if (ref.kind() != ChildKind::sphere) return visit_other(ref);
+  /// Ray i meets what `ref` stands for. Pre: it is a leaf.
+  HWY_INLINE void visit(std::size_t i, ChildRef ref) {
+    if (ref.kind() != ChildKind::sphere) {
+      visit_other(i, ref);
+      return;
+    }
     SphereCrossings at;
-    unsigned bits = meet_spheres(leaves_.sphere_blocks[ref.index()], query_, limit(), at);
+    unsigned bits = meet_spheres(leaves_.sphere_blocks[ref.index()], rays_, i, rays_.max_depth[i], at);
     for (; bits != 0; bits &= bits - 1) {
       const auto lane = static_cast<std::size_t>(__builtin_ctz(bits));
       const SphereLeaf& leaf = leaves_.spheres[ref.index() * kLanes + lane];
       double from = 0.0;
-      if (transparent(leaf.head) || !exact_.meets(leaf.bounds, from)) continue;
-      if (sphere_depth_counts(at.leaves[lane]) && blocks(at.leaves[lane], from)) return true;
-      if (sphere_depth_counts(at.enters[lane]) && blocks(at.enters[lane], from)) return true;
+      if (transparent(i, leaf.head) || !exact(i).meets(leaf.bounds, from)) continue;
+      if (sphere_depth_counts(at.leaves[lane])) offer(i, at.leaves[lane], from);
+      if (sphere_depth_counts(at.enters[lane])) offer(i, at.enters[lane], from);
     }
-    return false;
   }
 
  private:
-  bool transparent(const LeafHead& head) const { return !head.opaque || (head.hidden_from & query_.hidden_bit) != 0; }
+  bool transparent(std::size_t i, const LeafHead& head) const {
+    return !head.opaque || (head.hidden_from & rays_.hidden_bit[i]) != 0;
+  }
+  HWY_INLINE ExactRay exact(std::size_t i) const { return ExactRay(rays_, float_rays_.exact_inverse, i); }
 
-  HWY_NOINLINE bool visit_other(ChildRef ref) const {
+  HWY_NOINLINE void visit_other(std::size_t i, ChildRef ref) {
+    if ((blocked_ >> i & 1u) != 0) return;
     double from = 0.0;
     if (ref.kind() == ChildKind::box) {
       const BoxLeaf& leaf = leaves_.boxes[ref.index()];
-      if (transparent(leaf.head) || !exact_.meets(leaf.bounds, from)) return false;
+      if (transparent(i, leaf.head) || !exact(i).meets(leaf.bounds, from)) return;
       Met met;
-      leaf.box.meet(query_.ray, met);
-      for (std::size_t i = 0; i < met.count; ++i) {
-        if (blocks(met.depth[i], from)) return true;
-      }
+      leaf.box.meet(ray_of(rays_, i), met);
+      for (std::size_t m = 0; m < met.count; ++m) offer(i, met.depth[m], from);
     } else {
       const SolidLeaf& leaf = leaves_.solids[ref.index()];
-      if (transparent(leaf.head) || !exact_.meets(leaf.bounds, from) || from > limit()) return false;
+      if (transparent(i, leaf.head) || !exact(i).meets(leaf.bounds, from) || from > rays_.max_depth[i]) return;
       std::vector<Crossing>& scratch = scratch_of_thread();
       scratch.clear();
-      leaf.geometry->crossings(query_.ray, query_.hidden_bit, scratch);
+      leaf.geometry->crossings(ray_of(rays_, i), static_cast<std::uint8_t>(rays_.hidden_bit[i]), scratch);
       for (const Crossing& crossing : scratch) {
-        if (leaves_.opaque_parts[crossing.part] && blocks(crossing.depth, from)) return true;
+        if (leaves_.opaque_parts[crossing.part]) offer(i, crossing.depth, from);
       }
     }
-    return false;
   }
-  bool blocks(double depth, double from) const {
-    return depth > query_.min_depth && depth < query_.max_depth && depth >= from;
+
+  HWY_INLINE void offer(std::size_t i, double depth, double from) {
+    if (!(depth > rays_.min_depth[i] && depth < rays_.max_depth[i] && depth >= from)) return;
+    blocked_ |= std::uint64_t{1} << i;
+    float_rays_.last[i] = std::numeric_limits<float>::lowest();
   }
 
   const Leaves& leaves_;
-  const RayQuery& query_;
-  const ExactRay& exact_;
+  const RayBlock& rays_;
+  FloatRays& float_rays_;
+  std::uint64_t blocked_ = 0;
 };
 
-/// Subtrees still to be visited.
-template <class Depth>
-class Stack {
- public:
-  struct Entry {
-    Depth near;
-    ChildRef ref;
-  };
-
-  bool empty() const { return size_ == 0; }
-  Entry pop() { return entries_[--size_]; }
-  void push(const Entry& entry) { entries_[size_++] = entry; }
-  /// Pushes the children in `bits` so that the nearest comes out first.
-  void push_sorted(const WideNode& node, unsigned bits, const Depth* near) {
-    const std::size_t bottom = size_;
-    for (; bits != 0; bits &= bits - 1) {
-      const auto slot = static_cast<std::size_t>(__builtin_ctz(bits));
-      const Entry entry{near[slot], node.child[slot]};
-      std::size_t at = size_++;
-      for (; at > bottom && entries_[at - 1].near < entry.near; --at) entries_[at] = entries_[at - 1];
-      entries_[at] = entry;
-    }
-  }
-
- private:
-  Entry entries_[kTreeDepth * (kTreeWidth - 1) + kTreeWidth];
-  std::size_t size_ = 0;
+/// Pairs of a ray and what it is to visit. Whole vectors are stored, so there is room beyond the last pair.
+template <std::size_t kMost>
+struct Visits {
+  std::uint32_t ray[kMost + kTreeWidth];
+  std::uint32_t ref[kMost + kTreeWidth];
+  std::size_t size = 0;
 };
 
-/// Nearest first, so that the limit comes down quickly.
-template <class BoxRay>
-HWY_INLINE void walk(const WideTree& tree, const BoxRay& ray, ClosestSearch& search) {
-  using Depth = typename BoxRay::Depth;
-  const WideNode* nodes = tree.nodes().data();
-  Depth last = BoxRay::above(search.limit());
-  Stack<Depth> stack;
-  stack.push({std::numeric_limits<Depth>::lowest(), ChildRef::of(ChildKind::node, 0)});
-  while (!stack.empty()) {
-    const auto entry = stack.pop();
-    if (entry.near > last) continue;
-    ChildRef ref = entry.ref;
-    while (ref.kind() == ChildKind::node) {
-      const WideNode& node = nodes[ref.index()];
-      alignas(64) Depth near[kTreeWidth];
-      const unsigned bits = ray.meet_children(node, last, near);
-      if ((bits & (bits - 1)) == 0) {
-        if (bits == 0) break;
-        ref = node.child[__builtin_ctz(bits)];
-      } else {
-        stack.push_sorted(node, bits, near);
-        ref = stack.pop().ref;
-      }
+/// How many pairs are taken at a time: none waits for another, so the processor works on several at once.
+constexpr std::size_t kTogether = 16;
+using LeafVisits = Visits<kTogether * kTreeWidth>;
+/// The pairs taken are opened from the bottom of the stack to its top, so that the nodes on it lie by their depth.
+/// Pairs of a depth come only when those of the depth above are taken, which lie below: there are never more of a depth
+/// than the children of so many.
+using NodeVisits = Visits<kRaysAtOnce + kTogether * kTreeWidth * kTreeDepth>;
+
+/// The children of a node that ray i may meet: inner nodes to `nodes`, others to `leaves`.
+HWY_INLINE void open_node(const WideNode& node, const FloatRays& rays, std::size_t i, NodeVisits& nodes,
+                          LeafVisits& leaves) {
+  const hn::CappedTag<float, kTreeWidth> d;
+  const hn::RebindToUnsigned<decltype(d)> du;
+  const auto ray = hn::Set(du, static_cast<std::uint32_t>(i));
+  for (std::size_t slot = 0; slot < kTreeWidth; slot += hn::Lanes(d)) {
+    auto enter = hn::Set(d, rays.min_depth[i]);
+    auto leave = hn::Set(d, rays.last[i]);
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      const float inverse = rays.inverse.of[axis][i];
+      const std::size_t row = 2 * axis + (std::bit_cast<std::uint32_t>(inverse) >> 31);
+      const auto near_face = hn::Load(d, node.bounds[row] + slot);
+      const auto far_face = hn::Load(d, node.bounds[row ^ 1] + slot);
+      const auto scale = hn::Set(d, inverse);
+      enter = hn::Max(enter, hn::MulAdd(near_face, scale, hn::Set(d, rays.enter.of[axis][i])));
+      leave = hn::Min(leave, hn::MulAdd(far_face, scale, hn::Set(d, rays.leave.of[axis][i])));
     }
-    if (ref.kind() != ChildKind::node) {
-      search.visit(ref);
-      last = BoxRay::above(search.limit());
-    }
+    const auto refs = hn::Load(du, reinterpret_cast<const std::uint32_t*>(node.child) + slot);
+    const auto met = hn::RebindMask(du, hn::Le(enter, leave));
+    const auto inner = hn::Eq(hn::ShiftRight<30>(refs), hn::Zero(du));
+    const auto keep = [&](auto mask, auto& visits) HWY_ATTR {
+      hn::StoreU(hn::Compress(refs, mask), du, visits.ref + visits.size);
+      hn::StoreU(ray, du, visits.ray + visits.size);
+      visits.size += hn::CountTrue(du, mask);
+    };
+    keep(hn::And(met, inner), nodes);
+    keep(hn::AndNot(inner, met), leaves);
   }
 }
 
-/// Whether anything blocks; leaves are asked at once, as any answer ends the search.
-template <class BoxRay>
-HWY_INLINE bool walk(const WideTree& tree, const BoxRay& ray, const BlockingSearch& search) {
-  const WideNode* nodes = tree.nodes().data();
+/// All rays that may meet something in the tree, through the tree together.
+template <class Search>
+HWY_INLINE void walk_together(const WideTree& tree, const FloatRays& rays, Search& search) {
+  static_assert(static_cast<std::uint32_t>(ChildKind::node) == 0 && sizeof(ChildRef) == sizeof(std::uint32_t));
+  NodeVisits nodes;
+  for (std::uint64_t bits = rays.near; bits != 0; bits &= bits - 1) {
+    nodes.ray[nodes.size] = static_cast<std::uint32_t>(__builtin_ctzll(bits));
+    nodes.ref[nodes.size++] = 0;
+  }
+  while (nodes.size != 0) {
+    const std::size_t count = std::min(nodes.size, kTogether);
+    nodes.size -= count;
+    std::uint32_t ray[kTogether];
+    std::uint32_t node[kTogether];
+    std::copy_n(nodes.ray + nodes.size, kTogether, ray);
+    std::copy_n(nodes.ref + nodes.size, kTogether, node);
+    LeafVisits leaves;
+    for (std::size_t p = 0; p < count; ++p) open_node(tree.nodes()[node[p]], rays, ray[p], nodes, leaves);
+    for (std::size_t l = 0; l < leaves.size; ++l) search.visit(leaves.ray[l], ChildRef{leaves.ref[l]});
+  }
+}
+
+/// For the rare rays that floats do not suit: one alone.
+template <class Search>
+HWY_NOINLINE void walk_exactly(const WideTree& tree, const ExactRay& ray, std::size_t i, Search& search) {
   std::uint32_t stack[kTreeDepth * (kTreeWidth - 1) + kTreeWidth];
   std::size_t size = 0;
-  const auto last = BoxRay::above(search.limit());
   stack[size++] = 0;
   while (size != 0) {
-    const WideNode& node = nodes[stack[--size]];
-    alignas(64) typename BoxRay::Depth near[kTreeWidth];
-    for (unsigned bits = ray.meet_children(node, last, near); bits != 0; bits &= bits - 1) {
+    const WideNode& node = tree.nodes()[stack[--size]];
+    for (unsigned bits = ray.meet_children(node, search.limit(i)); bits != 0; bits &= bits - 1) {
       const ChildRef ref = node.child[__builtin_ctz(bits)];
       if (ref.kind() == ChildKind::node) {
         stack[size++] = ref.index();
-      } else if (search.visit(ref)) {
-        return true;
+      } else {
+        search.visit(i, ref);
       }
     }
   }
-  return false;
 }
 
-/// For the rare rays that floats do not suit; kept out of the way of the others.
-HWY_NOINLINE void walk_exactly(const WideTree& tree, const ExactRay& ray, ClosestSearch& search) {
-  walk(tree, ray, search);
-}
-HWY_NOINLINE bool walk_exactly(const WideTree& tree, const ExactRay& ray, const BlockingSearch& search) {
-  return walk(tree, ray, search);
-}
-
-HWY_INLINE RayQuery query_of(const RayBlock& rays, std::size_t i) {
-  return {{rays.origin.vector(i), rays.direction.vector(i)},
-          rays.min_depth[i],
-          rays.max_depth[i],
-          static_cast<std::uint8_t>(rays.hidden_bit[i])};
+/// All rays of the block but those in `done`.
+template <class Search>
+HWY_INLINE void walk(const Leaves& leaves, const RayBlock& rays, FloatRays& float_rays, std::uint64_t done,
+                     Search& search) {
+  const std::uint64_t all = ~std::uint64_t{0} >> (kRaysAtOnce - rays.size) & ~done;
+  if (!leaves.tree.nodes().empty()) {
+    float_rays.near &= all;
+    walk_together(leaves.tree, float_rays, search);
+    for (std::uint64_t bits = all & ~float_rays.usable; bits != 0; bits &= bits - 1) {
+      const auto i = static_cast<std::size_t>(__builtin_ctzll(bits));
+      walk_exactly(leaves.tree, ExactRay(rays, float_rays.exact_inverse, i), i, search);
+    }
+  }
+  for (const ChildRef ref : leaves.beside) {
+    for (std::uint64_t bits = all; bits != 0; bits &= bits - 1) {
+      search.visit(static_cast<std::size_t>(__builtin_ctzll(bits)), ref);
+    }
+  }
 }
 
 void closest_of_block(const Leaves& leaves, const RayBlock& rays, std::span<Hit> hits) {
   PlaneHits planes;
   meet_planes(leaves.planes, rays, planes);
-  const FloatRays float_rays(rays, planes.depth, leaves.tree);
-  const bool has_tree = !leaves.tree.nodes().empty();
   for (std::size_t i = 0; i < rays.size; ++i) {
-    const RayQuery query = query_of(rays, i);
-    const PlaneLeaf* plane = planes.plane[i] >= 0 ? &leaves.planes[static_cast<std::size_t>(planes.plane[i])] : nullptr;
-    const ExactRay exact(rays, float_rays.exact_inverse, i);
-    ClosestSearch search(leaves, query, exact, plane, planes.depth[i]);
-    for (const ChildRef ref : leaves.beside) search.visit(ref);
-    if (has_tree) {
-      if ((float_rays.near >> i & 1u) != 0) {
-        walk(leaves.tree, FloatRay(float_rays, i), search);
-      } else if ((float_rays.usable >> i & 1u) == 0) {
-        walk_exactly(leaves.tree, exact, search);
-      }
+    if (planes.plane[i] >= 0) {
+      const LeafHead& head = leaves.planes[static_cast<std::size_t>(planes.plane[i])].head;
+      hits[i] = {planes.depth[i], head.part, 0, head.shape, head.solid};
+    } else {
+      hits[i] = Hit();
+      hits[i].depth = planes.depth[i];
+      hits[i].solid = 0;  // a crossing at exactly max_depth must not win the tie
     }
-    hits[i] = search.result();
+  }
+  FloatRays float_rays(rays, planes.depth, leaves.tree);
+  ClosestSearch search(leaves, rays, float_rays, hits);
+  walk(leaves, rays, float_rays, 0, search);
+  for (std::size_t i = 0; i < rays.size; ++i) {
+    if (hits[i].part == kNoIndex) hits[i] = Hit();
   }
 }
 
 std::uint64_t occluded_of_block(const Leaves& leaves, const RayBlock& rays) {
-  std::uint64_t blocked = blocked_by_planes(leaves.planes, rays);
-  const FloatRays float_rays(rays, rays.max_depth, leaves.tree);
-  const std::uint64_t all = ~std::uint64_t{0} >> (kRaysAtOnce - rays.size);
-  std::uint64_t open = all & ~blocked;
-  if (leaves.tree.nodes().empty()) open = 0;
-  for (std::uint64_t left = open & (float_rays.near | ~float_rays.usable); left != 0; left &= left - 1) {
-    const auto i = static_cast<std::size_t>(__builtin_ctzll(left));
-    const RayQuery query = query_of(rays, i);
-    const ExactRay exact(rays, float_rays.exact_inverse, i);
-    const BlockingSearch search(leaves, query, exact);
-    const bool is_blocked = (float_rays.near >> i & 1u) != 0 ? walk(leaves.tree, FloatRay(float_rays, i), search)
-                                                             : walk_exactly(leaves.tree, exact, search);
-    blocked |= std::uint64_t{is_blocked} << i;
-  }
-  if (leaves.beside.empty()) return blocked;
-  for (std::uint64_t left = all & ~blocked; left != 0; left &= left - 1) {
-    const auto i = static_cast<std::size_t>(__builtin_ctzll(left));
-    const RayQuery query = query_of(rays, i);
-    const ExactRay exact(rays, float_rays.exact_inverse, i);
-    const BlockingSearch search(leaves, query, exact);
-    const bool is_blocked =
-        std::any_of(leaves.beside.begin(), leaves.beside.end(), [&](ChildRef ref) { return search.visit(ref); });
-    blocked |= std::uint64_t{is_blocked} << i;
-  }
-  return blocked;
+  const std::uint64_t blocked = blocked_by_planes(leaves.planes, rays);
+  FloatRays float_rays(rays, rays.max_depth, leaves.tree);
+  BlockingSearch search(leaves, rays, float_rays);
+  walk(leaves, rays, float_rays, blocked, search);
+  return blocked | search.blocked();
 }
 
 }  // namespace HWY_NAMESPACE

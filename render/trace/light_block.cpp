@@ -106,6 +106,7 @@ struct Lit {
   Vec to_light;  ///< unit
   V cosine;      ///< to the normal
   Mask behind;
+  Mask used;  ///< lanes that stand for a hit; the others hold anything
   bool highlights;
 };
 
@@ -125,10 +126,11 @@ HWY_INLINE V specular(const LayerColumns& layer, std::size_t i, const Lit& lit, 
                       V amount) {
   const D d;
   const Vec halfway = lit.to_light - direction;
-  const V length = hn::Sqrt(dot(halfway, halfway));
-  const V cosine = hn::Div(dot(halfway, normal), length);
-  return hn::IfThenElseZero(hn::Gt(cosine, hn::Zero(d)),
-                            hn::Mul(amount, power(d, cosine, load(layer.specular_exponent, i))));
+  // The power of the cosine's square, to half the exponent: one square root less.
+  const V along = dot(halfway, normal);
+  const V square = hn::Div(hn::Mul(along, along), dot(halfway, halfway));
+  const V exponent = hn::Mul(load(layer.specular_exponent, i), hn::Set(d, 0.5));
+  return hn::IfThenElseZero(hn::Gt(along, hn::Zero(d)), hn::Mul(amount, power(d, square, exponent)));
 }
 
 /// What one layer makes of white light, times the ray's weight.
@@ -139,15 +141,15 @@ HWY_INLINE Vec term_of(const HitBlock& block, const LayerColumns& layer, std::si
   const V size = hn::Abs(lit.cosine);
   const V brilliance = load(layer.brilliance, i);
   const Mask plain = hn::Eq(brilliance, hn::Set(d, 1.0));
-  const V falloff = hn::AllTrue(d, plain) ? size : hn::IfThenElse(plain, size, power(d, size, brilliance));
+  const V falloff = !any(hn::AndNot(plain, lit.used)) ? size : hn::IfThenElse(plain, size, power(d, size, brilliance));
   const V amount = hn::IfThenElse(lit.behind, load(layer.diffuse_back, i), load(layer.diffuse, i));
   Vec term = load(layer.color, i) * hn::IfThenElseZero(hn::Ne(amount, zero), hn::Mul(falloff, amount));
   if (lit.highlights) {
     // Which highlights there are is asked of the surfaces alone: whether they face the light cannot be foretold.
     const V shine = load(layer.phong, i);
     const V gloss = load(layer.specular, i);
-    const bool any_shine = any(hn::Gt(shine, zero));
-    const bool any_gloss = any(hn::Gt(gloss, zero));
+    const bool any_shine = any(hn::And(lit.used, hn::Gt(shine, zero)));
+    const bool any_gloss = any(hn::And(lit.used, hn::Gt(gloss, zero)));
     if (any_shine || any_gloss) {
       const auto in_front = [&](V strength) HWY_ATTR {
         return hn::IfThenElseZero(hn::AndNot(lit.behind, hn::Gt(strength, zero)), strength);
@@ -202,7 +204,8 @@ void light_hits_of(HitBlock& block, std::span<const Light> lights) {
     const Vec point = load(block.point, i);
     const Vec normal = load(block.normal, i);
     const Vec mirrored = mirrored_at(block, i);
-    const Mask used = hn::FirstN(d, block.size - i);
+    Lit lit;
+    lit.used = hn::FirstN(d, block.size - i);
     auto sum = load(block.sum, i);
     AtStake at_stake;
     for (std::size_t l = 0; l < lights.size(); ++l) {
@@ -212,12 +215,11 @@ void light_hits_of(HitBlock& block, std::span<const Light> lights) {
       Vec color{hn::Set(d, double{light.color.x}), hn::Set(d, double{light.color.y}),
                 hn::Set(d, double{light.color.z})};
       if (fades(light)) color = color * fading_at(light, distance);
-      Lit lit;
       lit.to_light = way * inverse_or_zero(distance);
       lit.cosine = dot(normal, lit.to_light);
       lit.behind = hn::Lt(lit.cosine, load(block.lit_from, i));
       lit.highlights = !light.shadowless;
-      if (!block.lit_from_behind && hn::AllFalse(d, hn::AndNot(lit.behind, used))) {
+      if (!block.lit_from_behind && hn::AllFalse(d, hn::AndNot(lit.behind, lit.used))) {
         store(hn::Zero(U()), block.light[l], i);
         continue;
       }
