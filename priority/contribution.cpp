@@ -22,6 +22,11 @@ constexpr float kRayShare = 0.08f;
 /// before the finest begin, as the preview fills those meanwhile.
 constexpr float kPrimaryGain = 0.01f;
 
+/// On the sphere-flake in a room of mirrors, with three lights and five levels, the queue would grow nearly twice as
+/// long. Memory's first touch costs more time than the order gains: 1 % of the error is reached after 48 instead of 37
+/// % of the rays.
+constexpr double kLongQueue = 4.5;
+
 /// Tasks of which one is learnt from: neighbours tell much the same, and learning takes time.
 constexpr std::size_t kLearnOneOf = 4;
 
@@ -43,6 +48,7 @@ class Contribution final : public Scheme {
   }
   Key key_count() const override { return kScale.count(); }
   bool tells_pixels_apart() const override { return false; }
+  double long_queue() const override { return kLongQueue; }
 
   void learn(std::span<const RayTask> tasks, std::span<const render::Contribution> light,
              std::span<const RayTask> spawned) const override {

@@ -62,8 +62,6 @@ TraceStatistics statistics_of(const Frame& frame, const Shared& shared, const st
 TraceResult trace(const render::TraceContext& context, render::Film& film, const TraceOptions& options) {
   TraceResult result;
   const std::uint64_t samples = static_cast<std::uint64_t>(film.width()) * static_cast<std::uint64_t>(film.height());
-  const std::uint64_t worst_case =
-      worst_case_rays(samples, context.scene.lights.size(), context.scene.settings.max_trace_level);
   try {
     TraceOptions own = options;
     std::shared_ptr<const Scheme> first;
@@ -72,7 +70,7 @@ TraceResult trace(const render::TraceContext& context, render::Film& film, const
       own.scheme = first.get();
     }
     Frame frame(context, film, own);
-    const auto shared = std::make_unique<Shared>(own, worst_case);
+    const auto shared = std::make_unique<Shared>(own, samples);
     std::vector<render::RayCounts> counts(static_cast<std::size_t>(own.threads));
     {
       std::vector<std::jthread> threads;
@@ -93,7 +91,8 @@ TraceResult trace(const render::TraceContext& context, render::Film& film, const
   } catch (const std::exception& exception) {
     result.error = reason_of(exception);
   }
-  result.statistics.worst_case_rays = worst_case;
+  result.statistics.worst_case_rays =
+      worst_case_rays(samples, context.scene.lights.size(), context.scene.settings.max_trace_level);
   return result;
 }
 

@@ -4,6 +4,7 @@
 #include "render/math/fixed_rgb.h"
 #include "render/trace/ray_task.h"
 
+#include <limits>
 #include <span>
 
 namespace firstlight::priority {
@@ -22,6 +23,9 @@ class Scheme {
   virtual void keys(std::span<const render::RayTask> tasks, std::span<Key> keys) const = 0;
   /// How many keys there are; at most kBuckets, at least 1. Does not change.
   virtual Key key_count() const = 0;
+  /// Waiting rays, for each sample of the picture, beyond which feelers leave before all others: they have no children,
+  /// so the queue grows shorter. Infinite: the order is kept however long the queue.
+  virtual double long_queue() const { return std::numeric_limits<double>::infinity(); }
   /// Whether primary rays of different pixels may have different keys. A scheme that does not look at the pixel says
   /// no, which saves asking for each of them.
   virtual bool tells_pixels_apart() const { return true; }

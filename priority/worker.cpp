@@ -62,7 +62,7 @@ bool Worker::primaries_are_next() {
   if (primaries == kNoSlot) return false;
   const int waiting = std::max(open_.top(), queue_.top());
   if (waiting == kNoSlot) return true;
-  if (queue_.waiting() > shared_.long_queue) return false;
+  if (queue_is_long()) return false;
   if (pool_.budget() != 0) {
     // Near the budget what waits is traced first, until there is room for a good number of new rays.
     const std::size_t used = pool_.bytes();
@@ -99,8 +99,7 @@ void Worker::trace_block(const RayQueue::Popped& popped) {
 
 // Of two equal slots the queue's block is preferred: it is the fuller one.
 RayQueue::Popped Worker::next_block() {
-  if (queue_.waiting() > shared_.long_queue) {
-    // Feelers have no children: tracing them first makes a long queue shorter.
+  if (queue_is_long()) {
     const int mine = open_.top(Among::shadows);
     if (const RayQueue::Popped shared = queue_.pop(std::max(mine, 0), Among::shadows); shared.block != nullptr) {
       return shared;

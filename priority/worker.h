@@ -17,22 +17,17 @@ namespace firstlight::priority {
 
 /// What the workers of a queued order share.
 struct Shared {
-  /// `worst_case`: the most rays that could wait at once.
-  Shared(const TraceOptions& options, std::uint64_t worst_case)
+  Shared(const TraceOptions& options, std::uint64_t samples_of_picture)
       : pool(options.queue_memory, options.block_size),
         queue(pool, options.threads),
-        long_queue(worst_case / kShareOfWorstCase),
+        samples(static_cast<double>(samples_of_picture)),
         tops(static_cast<std::size_t>(options.threads)) {
     for (std::atomic<int>& top : tops) top = kNoSlot;
   }
 
-  /// A longer queue costs memory, whose first touch costs time; on the sphere-flake in a room of mirrors it would be
-  /// twice as long, and 1 % of the error would be reached after 37 instead of 48 % of the rays.
-  static constexpr std::uint64_t kShareOfWorstCase = 42;
-
   BlockPool pool;
   RayQueue queue;
-  const std::uint64_t long_queue;      ///< rays beyond which feelers come first
+  const double samples;
   std::vector<std::atomic<int>> tops;  ///< the highest slot of each worker's open blocks
   std::atomic<bool> is_short_of_memory = false;
   std::atomic<std::uint64_t> inverted_rays = 0;
@@ -52,6 +47,8 @@ class Worker {
   /// Takes up a changed order.
   void follow_order();
   void rekey_block();
+  /// Whether the scheme wants feelers first, for so many rays wait.
+  bool queue_is_long() const { return static_cast<double>(queue_.waiting()) > scheme_->long_queue() * shared_.samples; }
   /// Whether the next primary rays come before all that waits, and have room.
   bool primaries_are_next();
   void trace_primaries();
