@@ -92,10 +92,10 @@ class ExactRay {
     return bits;
   }
 
- private:
   static constexpr double kAway = 1.0 + 2e-15;
   static constexpr double kEndless = 1e308;
 
+ private:
   double origin_[3];
   double inverse_[3];
   int near_row_[3];  ///< row of WideNode::bounds where the ray enters, by axis; the other row of the pair is the exit
@@ -117,8 +117,9 @@ class ExactRay {
 struct FloatRays {
   Columns3<double> exact_inverse;  ///< of ExactRay
   Columns3<float> inverse;
-  Columns3<float> enter;  ///< what the depths of faces begin with, less the margin
-  Columns3<float> leave;  ///< plus the margin
+  Columns3<float> enter;             ///< what the depths of faces begin with, less the margin
+  Columns3<float> leave;             ///< plus the margin
+  Columns3<std::uint32_t> near_row;  ///< of an axis' pair in WideNode::bounds, where a ray enters; times kTreeWidth
   Column<float> min_depth;
   Column<float> last;        ///< not below the depth up to which a ray looks; comes down when something is met
   std::uint64_t usable = 0;  ///< not set where the margin is not small beside the boxes of the tree, or a number would
@@ -129,8 +130,7 @@ struct FloatRays {
   HWY_INLINE FloatRays(const RayBlock& rays, const Column<double>& last_depth, const WideTree& tree) {
     const hn::CappedTag<double, 8> d;
     for (std::size_t i = 0; i < rays.size; i += hn::Lanes(d)) prepare(rays, last_depth, tree, i);
-    const std::uint64_t all = ~std::uint64_t{0} >> (kRaysAtOnce - rays.size);
-    usable &= all;
+    usable &= rays.all();
     near &= usable;
   }
 
@@ -141,6 +141,8 @@ struct FloatRays {
   }
 
  private:
+  static constexpr int kTreeWidthBits = 3;
+  static_assert(1 << kTreeWidthBits == kTreeWidth);
   static constexpr float kSteepest = 0x1p-60f;
   static constexpr float kLeastDirection = 0x1p-10f;
   static constexpr float kLargestDirection = 0x1p10f;
@@ -175,6 +177,9 @@ struct FloatRays {
       const auto enter_at = hn::Neg(hn::Add(at_zero, margin));
       const auto leave_at = hn::Sub(margin, at_zero);
       hn::Store(inv, f, inverse.of[axis].at.data() + i);
+      const hn::RebindToUnsigned<decltype(f)> u;
+      const auto downwards = hn::ShiftRight<31>(hn::BitCast(u, inv));
+      hn::Store(hn::ShiftLeft<kTreeWidthBits>(downwards), u, near_row.of[axis].at.data() + i);
       hn::Store(enter_at, f, enter.of[axis].at.data() + i);
       hn::Store(leave_at, f, leave.of[axis].at.data() + i);
       fits = hn::And(fits, hn::And(hn::Lt(hn::Abs(origin), hn::Set(f, limits.farthest_origin)),
@@ -189,6 +194,22 @@ struct FloatRays {
     near |= std::uint64_t{bits_of(f, hn::Le(first, end))} << i;
   }
 };
+
+/// Which of the children from `slot` on a ray may meet between its min_depth and its last.
+HWY_INLINE auto meet_children(const WideNode& node, std::size_t slot, const FloatRays& rays, std::size_t ray) {
+  const hn::CappedTag<float, kTreeWidth> d;
+  auto enter = hn::Set(d, rays.min_depth[ray]);
+  auto leave = hn::Set(d, rays.last[ray]);
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    const float* faces = node.bounds[2 * axis] + slot;
+    const std::size_t near = rays.near_row.of[axis][ray];
+    const auto inverse = hn::Set(d, rays.inverse.of[axis][ray]);
+    enter = hn::Max(enter, hn::MulAdd(hn::Load(d, faces + near), inverse, hn::Set(d, rays.enter.of[axis][ray])));
+    leave = hn::Min(
+        leave, hn::MulAdd(hn::Load(d, faces + (near ^ kTreeWidth)), inverse, hn::Set(d, rays.leave.of[axis][ray])));
+  }
+  return hn::Le(enter, leave);
+}
 
 }  // namespace HWY_NAMESPACE
 }  // namespace firstlight::render

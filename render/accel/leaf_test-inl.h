@@ -30,16 +30,12 @@ HWY_INLINE V dot(const V& ax, const V& ay, const V& az, const V& bx, const V& by
   return hn::Add(hn::Add(hn::Mul(ax, bx), hn::Mul(ay, by)), hn::Mul(az, bz));
 }
 
-/// Where a ray passes through the spheres of a block.
-struct SphereCrossings {
-  alignas(64) double enters[kLanes];
-  alignas(64) double leaves[kLanes];
-};
-
-/// Bits of the spheres with a crossing that may lie between the ray's min_depth and `max_depth`, both included.
-HWY_INLINE unsigned meet_spheres(const SphereBlock& block, const RayBlock& rays, std::size_t ray, double max_depth,
-                                 SphereCrossings& out) {
+/// Bits of the spheres with a crossing that counts, not beyond `max_depth`; `depths` gets the nearest of each, infinite
+/// where there is none. As ExactRay has it, a crossing before the ray enters the sphere's box does not count.
+HWY_INLINE unsigned meet_spheres(const SphereBlock& block, const RayBlock& rays, const FloatRays& float_rays,
+                                 std::size_t ray, double max_depth, double* HWY_RESTRICT depths) {
   const Doubles d;
+  const hn::Rebind<float, Doubles> narrow;
   const auto all = [&](const Column<double>& column) HWY_ATTR { return hn::Set(d, column[ray]); };
   const auto& origin = rays.origin.of;
   const auto& direction = rays.direction.of;
@@ -60,10 +56,43 @@ HWY_INLINE unsigned meet_spheres(const SphereBlock& block, const RayBlock& rays,
     const auto half_chord = hn::Sqrt(half_chord_squared);
     const auto enters = hn::Sub(closest_approach, half_chord);
     const auto leaves = hn::Add(closest_approach, half_chord);
-    const auto within = hn::And(hn::Ge(leaves, all(rays.min_depth)), hn::Le(enters, hn::Set(d, max_depth)));
-    hn::Store(enters, d, out.enters + lane);
-    hn::Store(leaves, d, out.leaves + lane);
-    bits |= bits_of(d, hn::And(met, within)) << lane;
+    const auto last = hn::Set(d, max_depth);
+    const auto near_enough = hn::And(met, hn::Le(enters, last));
+    if (hn::AllFalse(d, hn::And(near_enough, hn::Gt(leaves, all(rays.min_depth))))) {
+      hn::Store(hn::Set(d, std::numeric_limits<double>::infinity()), d, depths + lane);
+      continue;
+    }
+    auto from = all(rays.min_depth);
+    auto until = hn::Set(d, ExactRay::kEndless);
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      const float* faces = block.bounds[2 * axis] + lane;
+      const std::size_t near = float_rays.near_row.of[axis][ray];
+      const auto near_face = hn::PromoteTo(d, hn::Load(narrow, faces + near));
+      const auto far_face = hn::PromoteTo(d, hn::Load(narrow, faces + (near ^ kLanes)));
+      const auto inverse = all(float_rays.exact_inverse.of[axis]);
+      from = hn::Max(from, hn::Mul(hn::Sub(near_face, all(origin[axis])), inverse));
+      until = hn::Min(until, hn::Mul(hn::Sub(far_face, all(origin[axis])), inverse));
+    }
+    const auto boxed = hn::And(near_enough, hn::Le(from, hn::Mul(until, hn::Set(d, ExactRay::kAway))));
+    const auto counts = [&](hn::VFromD<Doubles> depth) HWY_ATTR {
+      const auto within = hn::And(hn::Gt(depth, hn::Set(d, kNearestCrossing)), hn::Lt(depth, hn::Set(d, kMaxDistance)));
+      const auto beyond = hn::And(hn::Gt(depth, all(rays.min_depth)), hn::Ge(depth, from));
+      return hn::And(within, hn::And(beyond, hn::Le(depth, last)));
+    };
+    const auto first = hn::And(boxed, counts(enters));
+    const auto any = hn::Or(first, hn::And(boxed, counts(leaves)));
+    const auto depth = hn::IfThenElse(first, enters, leaves);
+    hn::Store(hn::IfThenElse(any, depth, hn::Set(d, std::numeric_limits<double>::infinity())), d, depths + lane);
+    bits |= bits_of(d, any) << lane;
+  }
+  return bits;
+}
+
+/// Without those that the ray does not see.
+HWY_INLINE unsigned seen(const SphereBlock& block, unsigned bits, std::int64_t hidden_bit) {
+  if ((block.hidden_from_any & hidden_bit) == 0) return bits;
+  for (unsigned lane = 0; lane < kLanes; ++lane) {
+    if ((block.hidden_from[lane] & hidden_bit) != 0) bits &= ~(1u << lane);
   }
   return bits;
 }
@@ -162,7 +191,7 @@ HWY_INLINE std::uint64_t blocked_by_planes(const std::vector<PlaneLeaf>& planes,
       blocked |= std::uint64_t{bits_of(d, met)} << i;
     }
   }
-  return blocked & ~std::uint64_t{0} >> (kRaysAtOnce - rays.size);
+  return blocked & rays.all();
 }
 
 }  // namespace HWY_NAMESPACE

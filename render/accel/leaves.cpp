@@ -49,7 +49,7 @@ Leaves::Leaves(const Scene& scene) {
     const FloatBox bounds(solid.box);
     if (const auto* sphere = dynamic_cast<const Sphere*>(head.shape)) {
       ref = next_ref(ChildKind::sphere, round.size());
-      round.push_back({sphere, {bounds, head}});
+      round.push_back({sphere, bounds, head});
     } else if (const auto* box = dynamic_cast<const Box*>(head.shape)) {
       ref = next_ref(ChildKind::box, boxes.size());
       boxes.push_back({box->axis_box(), bounds, head});
@@ -85,8 +85,15 @@ void Leaves::add_block(const std::vector<RoundSphere>& all, const SphereGroup& g
     spheres.emplace_back();
     if (group[lane] == kNoSphere) continue;
     const RoundSphere& round = all[group[lane]];
-    spheres.back() = round.leaf;
-    for (int axis = 0; axis < 3; ++axis) block.center[axis][lane] = round.sphere->center()[axis];
+    spheres.back() = round.head;
+    for (int axis = 0; axis < 3; ++axis) {
+      block.center[axis][lane] = round.sphere->center()[axis];
+      block.bounds[2 * axis][lane] = round.bounds.low[axis];
+      block.bounds[2 * axis + 1][lane] = round.bounds.high[axis];
+    }
+    block.hidden_from[lane] = round.head.hidden_from;
+    block.hidden_from_any |= round.head.hidden_from;
+    block.opaque |= static_cast<std::uint8_t>(round.head.opaque ? 1u << lane : 0u);
     block.radius_squared[lane] = round.sphere->radius_squared();
   }
   sphere_blocks.push_back(block);

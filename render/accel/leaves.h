@@ -28,6 +28,10 @@ constexpr std::size_t kLanes = 8;
 struct alignas(64) SphereBlock {
   double center[3][kLanes];
   double radius_squared[kLanes];
+  float bounds[6][kLanes];           ///< as in WideNode, without its room
+  std::uint8_t hidden_from[kLanes];  ///< LeafHead::hidden_from
+  std::uint8_t hidden_from_any;      ///< the bits of all
+  std::uint8_t opaque;               ///< bit l: LeafHead::opaque of lane l
 };
 struct PlaneLeaf {
   Vec3 normal;
@@ -35,11 +39,6 @@ struct PlaneLeaf {
   LeafHead head;
 };
 
-/// What is asked of a sphere after it was met: lane l of block b is leaf 8 b + l.
-struct SphereLeaf {
-  FloatBox bounds;
-  LeafHead head;
-};
 struct BoxLeaf {
   AxisBox box;
   FloatBox bounds;
@@ -55,7 +54,7 @@ struct SolidLeaf {
 /// bounds are unpacked, so they cost no virtual call and no list; everything else is asked through its solid.
 struct Leaves {
   std::vector<SphereBlock> sphere_blocks;
-  std::vector<SphereLeaf> spheres;
+  std::vector<LeafHead> spheres;  ///< lane l of block b is sphere 8 b + l
   std::vector<BoxLeaf> boxes;
   std::vector<SolidLeaf> solids;
   std::vector<PlaneLeaf> planes;   ///< met by every ray, in the order of their solids
@@ -68,7 +67,8 @@ struct Leaves {
  private:
   struct RoundSphere {
     const Sphere* sphere;
-    SphereLeaf leaf;
+    FloatBox bounds;
+    LeafHead head;
   };
 
   void add_block(const std::vector<RoundSphere>& all, const SphereGroup& group);

@@ -43,6 +43,9 @@ struct RayBlock {
   Column<double> min_depth;
   Column<double> max_depth;         ///< not beyond min_depth: the ray meets nothing
   Column<std::int64_t> hidden_bit;  ///< kHiddenFromPrimary, ...Reflection or ...Shadow of its kind; 0: sees everything
+
+  /// A bit for each ray.
+  std::uint64_t all() const { return size == 0 ? 0 : ~std::uint64_t{0} >> (kRaysAtOnce - size); }
 };
 
 }  // namespace firstlight::render

@@ -43,15 +43,12 @@ class ClosestSearch {
       visit_other(i, ref);
       return;
     }
-    SphereCrossings at;
-    unsigned bits = meet_spheres(leaves_.sphere_blocks[ref.index()], rays_, i, limit(i), at);
-    for (; bits != 0; bits &= bits - 1) {
+    const SphereBlock& block = leaves_.sphere_blocks[ref.index()];
+    alignas(64) double depths[kLanes];
+    unsigned bits = meet_spheres(block, rays_, float_rays_, i, limit(i), depths);
+    for (bits = seen(block, bits, rays_.hidden_bit[i]); bits != 0; bits &= bits - 1) {
       const auto lane = static_cast<std::size_t>(__builtin_ctz(bits));
-      const SphereLeaf& leaf = leaves_.spheres[ref.index() * kLanes + lane];
-      double from = 0.0;
-      if (hidden(i, leaf.head) || !exact(i).meets(leaf.bounds, from)) continue;
-      if (sphere_depth_counts(at.leaves[lane])) offer(i, at.leaves[lane], 0, leaf.head, from);
-      if (sphere_depth_counts(at.enters[lane])) offer(i, at.enters[lane], 0, leaf.head, from);
+      offer(i, depths[lane], 0, leaves_.spheres[ref.index() * kLanes + lane], 0.0);
     }
   }
 
@@ -116,15 +113,11 @@ class BlockingSearch {
       visit_other(i, ref);
       return;
     }
-    SphereCrossings at;
-    unsigned bits = meet_spheres(leaves_.sphere_blocks[ref.index()], rays_, i, rays_.max_depth[i], at);
-    for (; bits != 0; bits &= bits - 1) {
-      const auto lane = static_cast<std::size_t>(__builtin_ctz(bits));
-      const SphereLeaf& leaf = leaves_.spheres[ref.index() * kLanes + lane];
-      double from = 0.0;
-      if (transparent(i, leaf.head) || !exact(i).meets(leaf.bounds, from)) continue;
-      if (sphere_depth_counts(at.leaves[lane])) offer(i, at.leaves[lane], from);
-      if (sphere_depth_counts(at.enters[lane])) offer(i, at.enters[lane], from);
+    const SphereBlock& block = leaves_.sphere_blocks[ref.index()];
+    alignas(64) double depths[kLanes];
+    unsigned bits = meet_spheres(block, rays_, float_rays_, i, rays_.max_depth[i], depths);
+    for (bits = seen(block, bits & block.opaque, rays_.hidden_bit[i]); bits != 0; bits &= bits - 1) {
+      offer(i, depths[__builtin_ctz(bits)], 0.0);
     }
   }
 
@@ -172,7 +165,6 @@ template <std::size_t kMost>
 struct Visits {
   std::uint32_t ray[kMost + kTreeWidth];
   std::uint32_t ref[kMost + kTreeWidth];
-  std::size_t size = 0;
 };
 
 /// How many pairs are taken at a time: none waits for another, so the processor works on several at once.
@@ -183,56 +175,46 @@ using LeafVisits = Visits<kTogether * kTreeWidth>;
 /// than the children of so many.
 using NodeVisits = Visits<kRaysAtOnce + kTogether * kTreeWidth * kTreeDepth>;
 
-/// The children of a node that ray i may meet: inner nodes to `nodes`, others to `leaves`.
-HWY_INLINE void open_node(const WideNode& node, const FloatRays& rays, std::size_t i, NodeVisits& nodes,
-                          LeafVisits& leaves) {
-  const hn::CappedTag<float, kTreeWidth> d;
-  const hn::RebindToUnsigned<decltype(d)> du;
-  const auto ray = hn::Set(du, static_cast<std::uint32_t>(i));
-  for (std::size_t slot = 0; slot < kTreeWidth; slot += hn::Lanes(d)) {
-    auto enter = hn::Set(d, rays.min_depth[i]);
-    auto leave = hn::Set(d, rays.last[i]);
-    for (std::size_t axis = 0; axis < 3; ++axis) {
-      const float inverse = rays.inverse.of[axis][i];
-      const std::size_t row = 2 * axis + (std::bit_cast<std::uint32_t>(inverse) >> 31);
-      const auto near_face = hn::Load(d, node.bounds[row] + slot);
-      const auto far_face = hn::Load(d, node.bounds[row ^ 1] + slot);
-      const auto scale = hn::Set(d, inverse);
-      enter = hn::Max(enter, hn::MulAdd(near_face, scale, hn::Set(d, rays.enter.of[axis][i])));
-      leave = hn::Min(leave, hn::MulAdd(far_face, scale, hn::Set(d, rays.leave.of[axis][i])));
-    }
-    const auto refs = hn::Load(du, reinterpret_cast<const std::uint32_t*>(node.child) + slot);
-    const auto met = hn::RebindMask(du, hn::Le(enter, leave));
-    const auto inner = hn::Eq(hn::ShiftRight<30>(refs), hn::Zero(du));
-    const auto keep = [&](auto mask, auto& visits) HWY_ATTR {
-      hn::StoreU(hn::Compress(refs, mask), du, visits.ref + visits.size);
-      hn::StoreU(ray, du, visits.ray + visits.size);
-      visits.size += hn::CountTrue(du, mask);
-    };
-    keep(hn::And(met, inner), nodes);
-    keep(hn::AndNot(inner, met), leaves);
-  }
-}
-
 /// All rays that may meet something in the tree, through the tree together.
 template <class Search>
 HWY_INLINE void walk_together(const WideTree& tree, const FloatRays& rays, Search& search) {
   static_assert(static_cast<std::uint32_t>(ChildKind::node) == 0 && sizeof(ChildRef) == sizeof(std::uint32_t));
+  const hn::CappedTag<float, kTreeWidth> d;
+  const hn::RebindToUnsigned<decltype(d)> du;
   NodeVisits nodes;
+  LeafVisits leaves;
+  // Beside their lists, not in them: the compiler keeps these in registers.
+  std::size_t node_count = 0;
   for (std::uint64_t bits = rays.near; bits != 0; bits &= bits - 1) {
-    nodes.ray[nodes.size] = static_cast<std::uint32_t>(__builtin_ctzll(bits));
-    nodes.ref[nodes.size++] = 0;
+    nodes.ray[node_count] = static_cast<std::uint32_t>(__builtin_ctzll(bits));
+    nodes.ref[node_count++] = 0;
   }
-  while (nodes.size != 0) {
-    const std::size_t count = std::min(nodes.size, kTogether);
-    nodes.size -= count;
+  while (node_count != 0) {
+    const std::size_t taken = std::min(node_count, kTogether);
+    node_count -= taken;
     std::uint32_t ray[kTogether];
     std::uint32_t node[kTogether];
-    std::copy_n(nodes.ray + nodes.size, kTogether, ray);
-    std::copy_n(nodes.ref + nodes.size, kTogether, node);
-    LeafVisits leaves;
-    for (std::size_t p = 0; p < count; ++p) open_node(tree.nodes()[node[p]], rays, ray[p], nodes, leaves);
-    for (std::size_t l = 0; l < leaves.size; ++l) search.visit(leaves.ray[l], ChildRef{leaves.ref[l]});
+    std::copy_n(nodes.ray + node_count, kTogether, ray);
+    std::copy_n(nodes.ref + node_count, kTogether, node);
+    std::size_t leaf_count = 0;
+    for (std::size_t p = 0; p < taken; ++p) {
+      const WideNode& opened = tree.nodes()[node[p]];
+      const auto ray_number = hn::Set(du, ray[p]);
+      for (std::size_t slot = 0; slot < kTreeWidth; slot += hn::Lanes(d)) {
+        const auto met = hn::RebindMask(du, meet_children(opened, slot, rays, ray[p]));
+        const auto refs = hn::Load(du, reinterpret_cast<const std::uint32_t*>(opened.child) + slot);
+        const auto is_node = hn::Eq(hn::ShiftRight<30>(refs), hn::Zero(du));
+        const auto inner = hn::And(met, is_node);
+        const auto outer = hn::AndNot(is_node, met);
+        hn::StoreU(hn::Compress(refs, inner), du, nodes.ref + node_count);
+        hn::StoreU(ray_number, du, nodes.ray + node_count);
+        node_count += hn::CountTrue(du, inner);
+        hn::StoreU(hn::Compress(refs, outer), du, leaves.ref + leaf_count);
+        hn::StoreU(ray_number, du, leaves.ray + leaf_count);
+        leaf_count += hn::CountTrue(du, outer);
+      }
+    }
+    for (std::size_t l = 0; l < leaf_count; ++l) search.visit(leaves.ray[l], ChildRef{leaves.ref[l]});
   }
 }
 
@@ -259,7 +241,7 @@ HWY_NOINLINE void walk_exactly(const WideTree& tree, const ExactRay& ray, std::s
 template <class Search>
 HWY_INLINE void walk(const Leaves& leaves, const RayBlock& rays, FloatRays& float_rays, std::uint64_t done,
                      Search& search) {
-  const std::uint64_t all = ~std::uint64_t{0} >> (kRaysAtOnce - rays.size) & ~done;
+  const std::uint64_t all = rays.all() & ~done;
   if (!leaves.tree.nodes().empty()) {
     float_rays.near &= all;
     walk_together(leaves.tree, float_rays, search);
