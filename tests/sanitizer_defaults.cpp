@@ -9,10 +9,11 @@ const char* __ubsan_default_options();
 
 const char* __tsan_default_options() { return "halt_on_error=1:second_deadlock_stack=1"; }
 
-// race_top: the access itself lies in a oneTBB header. race: called back from a thread inside Embree.
+// race_top: the access itself lies in a oneTBB header. race: called back from a thread inside Embree or oneTBB.
 const char* __tsan_default_suppressions() {
   return "race_top:oneapi/tbb/\n"
          "race:libembree3.so\n"
+         "race:libtbb.so\n"
          "race:libOpenImageIO\n";
 }
 
