@@ -52,4 +52,8 @@ std::unique_ptr<FrontEndModule> FrontEndModule::open(const std::string& path, st
   return std::unique_ptr<FrontEndModule>(new FrontEndModule(std::move(library), front_end));
 }
 
+ChosenFrontEnd::ChosenFrontEnd(const std::string& module) {
+  if (!module.empty()) module_ = FrontEndModule::open(module, error_);
+}
+
 }  // namespace firstlight::app

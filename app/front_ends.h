@@ -1,5 +1,6 @@
 #pragma once
 
+#include "parser/parser.h"
 #include "render/scene/front_end.h"
 
 #include <memory>
@@ -25,6 +26,22 @@ class FrontEndModule {
 
   std::unique_ptr<void, Close> library_;
   const render::FrontEnd* front_end_;
+};
+
+/// The scene language that the user chose: a loadable module, or our own.
+/// Lifetime  as FrontEndModule.
+class ChosenFrontEnd {
+ public:
+  /// `module` empty: our own. When a module cannot be opened, error() says why and there is no front end.
+  explicit ChosenFrontEnd(const std::string& module);
+
+  const std::string& error() const { return error_; }
+  const render::FrontEnd& operator*() const { return module_ ? module_->front_end() : pov_; }
+
+ private:
+  parser::PovFrontEnd pov_;
+  std::unique_ptr<FrontEndModule> module_;
+  std::string error_;
 };
 
 }  // namespace firstlight::app

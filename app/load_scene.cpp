@@ -13,6 +13,7 @@ render::LoadResult load_scene(const Options& options, const render::FrontEnd& fr
   load.library_paths = options.library_paths;
   load.declares = options.declares;
   load.clock = options.clock;
+  load.parse_only = options.parse_only;
   std::size_t shown = 0;
   const auto show = [&](const render::Diagnostic& diagnostic) {
     ++shown;

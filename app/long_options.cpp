@@ -73,6 +73,9 @@ LongOptions::LongOptions(CommandLine& out) : out_(out) {
   text("--snapshots", options.snapshots_folder, "Write intermediate pictures to a folder", "DIR");
   text("--front-end", options.front_end, "Read the scene with a loadable module", "FILE");
   app_.add_flag("--quiet", options.quiet, "Show errors only");
+  app_.add_flag("--parse-only", options.parse_only,
+                "Read the scene, say what is in it and what cannot be rendered, and leave");
+  app_.add_flag("--json", options.json, "With --parse-only: say it as JSON");
 }
 
 bool LongOptions::takes_value(const std::string& name) const { return find(name)->get_items_expected_min() > 0; }

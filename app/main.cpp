@@ -1,4 +1,5 @@
 #include "app/options.h"
+#include "app/parse_command.h"
 #include "app/process_start.h"
 #include "app/raw_terminal.h"
 #include "app/render_command.h"
@@ -75,6 +76,7 @@ int run(std::vector<std::string> arguments, std::chrono::steady_clock::time_poin
   if (!line.errors.empty()) return firstlight::app::kExitFailure;
   watch_signal(SIGINT);
   watch_signal(SIGTERM);
+  if (line.options.parse_only) return firstlight::app::parse_command(line.options);
   return firstlight::app::render_command(line.options, start, g_stop);
 }
 

@@ -37,6 +37,8 @@ struct Options {
   std::string snapshots_folder;         ///< empty: none
   std::string front_end;                ///< loadable module that reads the scene; empty: our own
   bool quiet = false;
+  bool parse_only = false;  ///< read the scene, say what it is made of, and leave
+  bool json = false;        ///< of parse_only: say it as JSON
 };
 
 struct CommandLine {

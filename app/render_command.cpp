@@ -106,14 +106,8 @@ int render_command(const Options& options, Clock::time_point start, const std::a
 
   std::string problem;
   // Declared before everything the scene is kept in: the module has to live longer than its scene.
-  std::unique_ptr<FrontEndModule> module;
-  const parser::PovFrontEnd pov;
-  const render::FrontEnd* front_end = &pov;
-  if (!options.front_end.empty()) {
-    module = FrontEndModule::open(options.front_end, problem);
-    if (module == nullptr) return fail(problem);
-    front_end = &module->front_end();
-  }
+  const ChosenFrontEnd front_end(options.front_end);
+  if (!front_end.error().empty()) return fail(front_end.error());
   std::unique_ptr<SteerServer> server;
   if (!options.steer.empty()) {
     server = SteerServer::open(options.steer, problem);

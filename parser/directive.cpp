@@ -103,7 +103,9 @@ void Interpreter::count_step(const Location& at) {
 void Interpreter::run_directive() {
   const std::uint32_t hash = frames_.back().position;
   take_raw();
-  obey(take_raw(), hash);
+  const Token& word = take_raw();
+  count(word.keyword);
+  obey(word, hash);
 }
 
 void Interpreter::obey(const Token& word, std::uint32_t hash) {

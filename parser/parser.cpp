@@ -18,6 +18,18 @@ void add(render::Diagnostics& diagnostics, const render::LoadOptions& options, r
   }
 }
 
+render::SceneSummary summarize(const render::Scene& scene, const Interpreter& interpreter) {
+  render::SceneSummary summary;
+  summary.objects = scene.solids.size();
+  summary.lights = scene.lights.size();
+  summary.textures = scene.textures.size();
+  summary.keywords = interpreter.keyword_counts();
+  for (const render::FeatureUse& use : scene.unrendered.list()) {
+    summary.unrendered.push_back(interpreter.describe_unrendered(use));
+  }
+  return summary;
+}
+
 }  // namespace
 
 render::LoadResult PovFrontEnd::load(const std::string& path, const render::LoadOptions& options) const {
@@ -32,7 +44,13 @@ render::LoadResult PovFrontEnd::load(const std::string& path, const render::Load
     interpreter.open_scene(path);
     parse_scene(reader, context);
     interpreter.finish();
-    result.scene = builder.build();
+    std::unique_ptr<const render::Scene> scene = builder.build();
+    result.summary = summarize(*scene, interpreter);
+    if (!options.parse_only && !scene->unrendered.empty()) {
+      add(result.diagnostics, options, result.summary.unrendered);
+    } else {
+      result.scene = std::move(scene);
+    }
     return result;
   } catch (const SyntaxError& error) {
     add(result.diagnostics, options, error.diagnostics);

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <string>
 #include <string_view>
@@ -13,6 +14,13 @@ enum class Keyword : std::uint16_t {
 #include "parser/keywords.def"
 #undef KEYWORD
 };
+
+/// How many there are, Keyword::none among them.
+constexpr std::size_t kKeywordCount = 1
+#define KEYWORD(name, spelling) +1
+#include "parser/keywords.def"
+#undef KEYWORD
+    ;
 
 /// Marks. `less` and `greater` are also the brackets of a vector; `dash` is both minus signs.
 enum class Punctuation : std::uint8_t {

@@ -101,7 +101,16 @@ const Token& TokenStream::take() {
   settled_ = false;
   pending_ = false;
   ++taken_;
+  count(token.keyword);
   return token;
+}
+
+std::map<std::string, std::uint64_t> TokenStream::keyword_counts() const {
+  std::map<std::string, std::uint64_t> counts;
+  for (std::size_t i = 1; i < kKeywordCount; ++i) {
+    if (keyword_counts_[i] > 0) counts.emplace(spelling(static_cast<Keyword>(i)), keyword_counts_[i]);
+  }
+  return counts;
 }
 
 void TokenStream::refuse_unsupported() {
@@ -217,6 +226,15 @@ std::string TokenStream::describe_next() {
 
 Diagnostic TokenStream::diagnostic(const Location& at, Diagnostic::Severity severity, std::string message) const {
   return diagnostic_at(files_.file(at.file), at, severity, std::move(message));
+}
+
+Diagnostic TokenStream::describe_unrendered(const render::FeatureUse& use) const {
+  const auto word = static_cast<std::uint32_t>(render::spelling(use.feature).size());
+  const std::string name(render::spelling(use.feature));
+  Diagnostic result = diagnostic({use.file, use.line, use.column, word}, Diagnostic::Severity::error,
+                                 "'" + name + "' cannot be rendered by this version of Firstlight");
+  result.subject = name;
+  return result;
 }
 
 void TokenStream::fail(const Location& at, std::string message, bool unsupported) {

@@ -6,7 +6,9 @@
 #include "parser/syntax_error.h"
 #include "render/scene/front_end.h"
 
+#include <array>
 #include <cstdint>
+#include <map>
 #include <memory>
 #include <string>
 #include <vector>
@@ -100,6 +102,10 @@ class TokenStream {
     report(at, std::move(message), render::Diagnostic::Severity::warning);
   }
   void report(const Location& at, std::string message, render::Diagnostic::Severity severity);
+  /// "'blob' cannot be rendered by this version of Firstlight", at its place.
+  render::Diagnostic describe_unrendered(const render::FeatureUse& use) const;
+  /// The reserved words taken so far, and how often each was.
+  std::map<std::string, std::uint64_t> keyword_counts() const;
   /// For messages: the token, and why it has no meaning if it is an undeclared name.
   std::string describe_next();
 
@@ -132,6 +138,7 @@ class TokenStream {
   /// Fails when the token that peek() gave is a name whose value cannot be rendered.
   void refuse_unsupported();
   const Token& take_raw();
+  void count(Keyword word) { ++keyword_counts_[static_cast<std::size_t>(word)]; }
   const Token& raw_next() const { return frames_.back().file->tokens[frames_.back().position]; }
   /// Gives up the token that peek() has shown, if any, so that reading goes on before it.
   void unsettle();
@@ -165,6 +172,7 @@ class TokenStream {
   HoldState hold_;
   std::size_t nesting_ = 0;
   std::uint64_t taken_ = 0;
+  std::array<std::uint64_t, kKeywordCount> keyword_counts_{};
 };
 
 }  // namespace firstlight::parser

@@ -89,15 +89,8 @@ int study_command(std::span<const std::string> arguments, const std::atomic<bool
   }
 
   // Declared before everything the scene is kept in: the module has to live longer than its scene.
-  std::unique_ptr<FrontEndModule> module;
-  const parser::PovFrontEnd pov;
-  const render::FrontEnd* front_end = &pov;
-  if (!options.front_end.empty()) {
-    std::string problem;
-    module = FrontEndModule::open(options.front_end, problem);
-    if (module == nullptr) return fail(problem);
-    front_end = &module->front_end();
-  }
+  const ChosenFrontEnd front_end(options.front_end);
+  if (!front_end.error().empty()) return fail(front_end.error());
   ProgressLine progress(options.quiet);
   progress.stage("reading the scene");
   const render::LoadResult loaded = load_scene(options, *front_end, progress);

@@ -2,6 +2,7 @@
 
 #include "render/math/transform.h"
 #include "render/math/vec.h"
+#include "render/feature/feature.h"
 
 namespace firstlight::render {
 
@@ -14,6 +15,7 @@ struct Camera {
   Vec3 right{1.33, 0.0, 0.0};
   Vec3 up{0.0, 1.0, 0.0};
   Vec3 sky{0.0, 1.0, 0.0};
+  FeatureUses unrendered;
 };
 
 /// Turns the camera towards a point, keeping the lengths (and handedness) of its axes, sky upwards.

@@ -3,6 +3,7 @@
 #include "render/math/color.h"
 #include "render/math/transform.h"
 #include "render/math/vec.h"
+#include "render/feature/feature.h"
 
 #include <cmath>
 
@@ -16,6 +17,7 @@ struct Light {
   bool shadowless = false;     ///< lights without being blocked, and gives no highlights
   double fade_distance = 0.0;  ///< scene units
   double fade_power = 0.0;     ///< 0: no fading
+  FeatureUses unrendered;
 };
 
 /// Whether the light is weaker far away.

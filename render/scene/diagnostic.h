@@ -18,6 +18,7 @@ struct Diagnostic {
   std::size_t length = 1;   ///< bytes to underline
   std::string message;      ///< "expected ..., found ..." without place or severity
   std::string source_line;  ///< the text of the line, without its end
+  std::string subject;      ///< of a feature that cannot be rendered: its name; else empty
 };
 
 /// `file:line:column: error: message`, then the source line and a caret under the place.

@@ -3,7 +3,10 @@
 #include "render/scene/diagnostic.h"
 #include "render/scene/scene.h"
 
+#include <cstddef>
+#include <cstdint>
 #include <functional>
+#include <map>
 #include <memory>
 #include <string>
 #include <string_view>
@@ -20,14 +23,25 @@ struct LoadOptions {
   std::vector<std::pair<std::string, std::string>>
       declares;  ///< identifiers set before the scene is read (name, number)
   double clock = 0.0;
+  bool parse_only = false;  ///< what cannot be rendered is listed in the summary, not refused
   /// Called for every diagnostic as it arises; may be empty. The result holds them all the same.
   std::function<void(const Diagnostic&)> report;
+};
+
+/// What a scene is made of.
+struct SceneSummary {
+  std::size_t objects = 0;  ///< at top level; unions count as their members
+  std::size_t lights = 0;
+  std::size_t textures = 0;                       ///< as used: the same texture in two places counts twice
+  std::map<std::string, std::uint64_t> keywords;  ///< reserved words, and how often each was read
+  Diagnostics unrendered;  ///< features that cannot be rendered, each where it is first asked for
 };
 
 /// `scene` is null exactly when the diagnostics hold an error.
 struct LoadResult {
   std::unique_ptr<const Scene> scene;
   Diagnostics diagnostics;
+  SceneSummary summary;
 };
 
 /// A scene language as the renderer sees it. Implementations never throw, exit or print.
@@ -40,7 +54,7 @@ class FrontEnd {
 };
 
 /// A loadable module exports these two C symbols; the host refuses a module of another ABI version.
-constexpr int kFrontEndAbi = 1;
+constexpr int kFrontEndAbi = 2;
 constexpr const char* kFrontEndAbiSymbol = "firstlight_front_end_abi";  ///< int firstlight_front_end_abi()
 constexpr const char* kFrontEndSymbol =
     "firstlight_front_end";  ///< const FrontEnd* firstlight_front_end(); lives as long as the module

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "render/feature/feature.h"
 #include "render/light/light.h"
 #include "render/math/transform.h"
 #include "render/shape/shape.h"
@@ -16,6 +17,8 @@
 
 namespace firstlight::render {
 
+struct Form;
+
 /// A thing in the scene as it is described: one shape or light, or several combined. A cheap value: the shape and the
 /// children are shared, so copying a declared object costs the same whatever its size. Scene building walks the
 /// tree and hands placements, textures and flags down to the leaves.
@@ -24,6 +27,8 @@ struct Object {
 
   Kind kind = Kind::shape;
   ShapePtr shape;                                         ///< of Kind::shape; its space is this object's
+  std::shared_ptr<const Form> form;                       ///< of Kind::shape, where the shape is described and not
+                                                          ///< made: `shape` is null then
   Light light;                                            ///< of Kind::light
   std::shared_ptr<const std::vector<Object>> children;    ///< of the combining kinds (a difference is an intersection
                                                           ///< with inverted further children)
@@ -58,6 +63,8 @@ struct Object {
   /// makes {"A", "B"} of both. At most kMostNames.
   std::vector<std::string> names;
   std::string_view word;  ///< of Kind::shape: the word of the scene language that made it; static text
+
+  FeatureUses unrendered;  ///< what the object's own words ask for; children and surfaces carry theirs
 
   static constexpr std::size_t kMostNames = 8;
 };

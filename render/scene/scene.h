@@ -53,6 +53,7 @@ struct Settings {
   int language_version = 370;  ///< as 100 * version; some formulas of transparency differ before 370
   WorkingGamma gamma = WorkingGamma::linear;
   double gamma_exponent = 1.0;  ///< of WorkingGamma::power
+  FeatureUses unrendered;
 };
 
 /// Everything to be rendered, frozen. Plain data, safe to read from any thread.
@@ -66,6 +67,7 @@ struct Scene {
   std::vector<PlacedTexture> textures;
   std::vector<Interior> interiors;
   std::vector<ObjectGroup> objects;
+  FeatureUses unrendered;  ///< of all that is in the scene: while not empty, no picture is right
   std::vector<std::vector<std::string>> light_names;  ///< SDL identifiers of each light, the outermost first
 };
 

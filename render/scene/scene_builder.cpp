@@ -112,6 +112,8 @@ struct SceneBuilder::State {
   Inherited at_node(const Object& object, const Inherited& parent);
   void promote_finish(std::uint32_t texture, std::uint32_t interior);
   void link(const Object& object, const Inherited& parent);
+  void note_region(const std::shared_ptr<const std::vector<Object>>& objects);
+  void note_surfaces();
   std::optional<Solid> freeze(const Object& object, const Inherited& parent, bool top_level);
   void add_part(Solid& solid, const Object& object, const Inherited& leaf);
   void order_solids();
@@ -129,11 +131,13 @@ Inherited SceneBuilder::State::at_node(const Object& object, const Inherited& pa
   if (node.texture == kNoIndex && object.kind == Object::Kind::shape && default_texture) {
     node.texture = textures.index_of(default_texture, Transform());
   }
+  scene->unrendered.add(object.unrendered);
   if (object.interior || node.interior == kNoIndex) {
     Interior interior = object.interior.value_or(Interior());
     if (!object.interior) interior.ior = scene->settings.atmosphere_ior;
     node.interior = static_cast<std::uint32_t>(scene->interiors.size());
     scene->interiors.push_back(interior);
+    scene->unrendered.add(interior.unrendered);
   }
   if (node.texture != kNoIndex) promote_finish(node.texture, node.interior);
   node.hidden_from |= hidden_bits(object);
@@ -178,12 +182,14 @@ void SceneBuilder::State::link(const Object& object, const Inherited& parent) {
 /// `object` as one solid, closed; nothing for a light, which goes to the scene's lights.
 std::optional<Solid> SceneBuilder::State::freeze(const Object& object, const Inherited& parent, bool top_level) {
   if (object.kind == Object::Kind::light) {
+    scene->unrendered.add(object.unrendered);
+    scene->unrendered.add(object.light.unrendered);
     scene->lights.push_back(placed(object.light, object.placement.then(parent.to_world)));
     scene->light_names.push_back(objects.names_of(objects.within(parent.names, object.names)));
     return std::nullopt;
   }
-  if (object.kind == Object::Kind::shape && !object.shape) return std::nullopt;
   const Inherited node = at_node(object, parent);
+  if (object.kind == Object::Kind::shape && !object.shape) return std::nullopt;
   Solid solid;
   solid.kind = solid_kind(object.kind, node.inverted);
   solid.hidden_from = node.hidden_from;
@@ -196,11 +202,32 @@ std::optional<Solid> SceneBuilder::State::freeze(const Object& object, const Inh
       if (std::optional<Solid> member = freeze(child, node, false)) solid.members.push_back(std::move(*member));
     }
   }
+  note_region(object.clipped_by);
+  note_region(object.bounded_by);
   solid.clips = regions(clips_of(object), node.to_world);
   // POV-Ray drops the bounds of a simple shape at top level (Remove_Bounds), so there a wrong bound cuts nothing away.
   if (!top_level || object.kind != Object::Kind::shape) solid.bounds = regions(bounds_of(object), node.to_world);
   solid.close();
   return solid;
+}
+
+/// Clips and bounds are shapes without surfaces: only what they are made of counts.
+void SceneBuilder::State::note_region(const std::shared_ptr<const std::vector<Object>>& objects) {
+  if (!objects) return;
+  for (const Object& object : *objects) {
+    scene->unrendered.add(object.unrendered);
+    for (const auto* within : {&object.children, &object.clipped_by, &object.bounded_by}) note_region(*within);
+  }
+}
+
+void SceneBuilder::State::note_surfaces() {
+  for (const PlacedTexture& placed : scene->textures) {
+    for (const TextureLayer& layer : placed.texture->layers) {
+      for (const FeatureUses* uses : {&layer.unrendered, &layer.pigment.unrendered, &layer.finish.unrendered}) {
+        scene->unrendered.add(*uses);
+      }
+    }
+  }
 }
 
 void SceneBuilder::State::add_part(Solid& solid, const Object& object, const Inherited& leaf) {
@@ -257,6 +284,9 @@ std::unique_ptr<const Scene> SceneBuilder::build() {
   state_->order_solids();
   state_->scene->textures = state_->textures.take();
   state_->scene->objects = state_->objects.take();
+  state_->note_surfaces();
+  state_->scene->unrendered.add(state_->scene->camera.unrendered);
+  state_->scene->unrendered.add(state_->scene->settings.unrendered);
   std::unique_ptr<const Scene> scene = std::move(state_->scene);
   state_ = std::make_unique<State>();
   return scene;

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "render/math/color.h"
+#include "render/feature/feature.h"
 
 namespace firstlight::render {
 
@@ -25,6 +26,8 @@ struct Finish {
   double reflection_exponent = 1.0;  ///< power applied to the reflected colour; 1 / the number in the scene
   bool reflection_fresnel = false;
   bool conserve_energy = false;
+
+  FeatureUses unrendered;
 
   // Of old scenes, which put these into the finish; scene building moves them to the interior.
   double legacy_ior = 0.0;         ///< 0: not given

@@ -2,6 +2,7 @@
 
 #include "render/math/color.h"
 #include "render/math/transform.h"
+#include "render/feature/feature.h"
 #include "render/texture/pattern.h"
 
 #include <memory>
@@ -34,6 +35,7 @@ struct Pigment {
   bool stepped = false;  ///< a list pattern (checker): map positions are list places, no wave, no blending
   Wave wave;
   ColorMap map;
+  FeatureUses unrendered;
   Transform placement;  ///< pattern space to the space of the texture
 };
 
