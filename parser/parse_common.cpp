@@ -18,6 +18,10 @@ void fail_unsupported(Reader& reader, const Token& word, std::string what) {
                             /*unsupported=*/true);
 }
 
+render::FeatureUse feature_use(render::Feature feature, const Token& word) {
+  return {feature, word.location.file, word.location.line, word.location.column};
+}
+
 int language_version(Reader& reader) { return reader.interpreter().language_version(); }
 
 int effective_language_version(Reader& reader) { return reader.interpreter().effective_language_version(); }

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "parser/reader.h"
+#include "render/feature/feature.h"
 #include "render/math/transform.h"
 
 #include <string>
@@ -18,6 +19,9 @@ std::string quoted(const Token& word);
 [[noreturn]] void fail_unsupported(Reader& reader, const Token& word);
 /// The same about `what`.
 [[noreturn]] void fail_unsupported(Reader& reader, const Token& word, std::string what);
+
+/// That `feature` is asked for at `word`.
+render::FeatureUse feature_use(render::Feature feature, const Token& word);
 
 /// The version of the language in force where the reader stands, as 100 * version.
 int language_version(Reader& reader);

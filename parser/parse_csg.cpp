@@ -1,5 +1,7 @@
 #include "parser/parse_common.h"
 #include "parser/parse_object.h"
+#include "parser/parse_photons.h"
+#include "parser/parse_transform.h"
 
 #include <string>
 
@@ -18,6 +20,13 @@ Object::Kind combining_kind(Keyword word) {
     default:
       return Object::Kind::intersection;
   }
+}
+
+/// Enters what `whole` takes over from a member.
+void add_member(Reader& reader, const Token& at, Object& whole, const Object& member) {
+  count_in(reader, at, whole, member);
+  whole.textured = whole.textured || member.textured;
+  whole.patch = whole.patch || member.patch;
 }
 
 }  // namespace
@@ -40,9 +49,7 @@ Object parse_csg(Reader& reader, SceneContext& context, const Token& word) {
     }
     // a difference is what is in the first member and outside of all others
     if (word.is(Keyword::difference) && !members.empty()) member->inverted = !member->inverted;
-    count_in(reader, at, whole, *member);
-    whole.textured = whole.textured || member->textured;
-    whole.patch = whole.patch || member->patch;
+    add_member(reader, at, whole, *member);
     members.push_back(std::move(*member));
   }
   if (members.size() < 2) {
@@ -51,6 +58,37 @@ Object parse_csg(Reader& reader, SceneContext& context, const Token& word) {
   whole.children = std::make_shared<const std::vector<Object>>(std::move(members));
   parse_modifiers(reader, context, word, whole);
   return whole;
+}
+
+Object parse_light_group(Reader& reader, SceneContext& context, const Token& word) {
+  reader.open_block(word);
+  Object group;
+  group.kind = Object::Kind::union_;
+  group.light_group = true;
+  group.unrendered.add(feature_use(render::Feature::light_group, word));
+  std::vector<Object> members;
+  for (;;) {
+    const Token at = reader.peek();
+    auto member = parse_object(reader, context);
+    if (!member) break;
+    add_member(reader, at, group, *member);
+    members.push_back(std::move(*member));
+  }
+  group.children = std::make_shared<const std::vector<Object>>(std::move(members));
+  for (;;) {
+    const Token next = reader.peek();
+    if (const auto transform = accept_transformation(reader)) {
+      render::place(group, *transform);
+    } else if (reader.accept(Keyword::global_lights)) {
+      group.global_lights = reader.optional_number(1.0) > 0.5;
+    } else if (reader.accept(Keyword::photons)) {
+      parse_object_photons(reader, next, group.photons);
+    } else {
+      break;
+    }
+  }
+  reader.close_block();
+  return group;
 }
 
 }  // namespace firstlight::parser

@@ -1,9 +1,12 @@
 #include "parser/parse_common.h"
 #include "parser/parse_object.h"
+#include "parser/parse_photons.h"
 #include "parser/parse_surface.h"
 #include "parser/parse_transform.h"
 
+#include <algorithm>
 #include <string>
+#include <string_view>
 
 namespace firstlight::parser {
 
@@ -11,30 +14,23 @@ using render::Object;
 
 namespace {
 
-/// `photons { ... }` of an object. It speaks of photon maps, which a scene without them does not have.
-void parse_photons(Reader& reader, const Token& word) {
-  reader.open_block(word);
-  for (;;) {
-    if (reader.accept(Keyword::target) || reader.accept(Keyword::pass_through) || reader.accept(Keyword::collect)) {
-      reader.optional_number(1.0);
-    } else if (reader.accept(Keyword::refraction) || reader.accept(Keyword::reflection)) {
-      reader.number();
-    } else {
-      break;
-    }
-  }
-  reader.close_block();
+/// Whether `sturm`, or `hierarchy`, may be said about an object.
+bool takes_sturm(const Object& object) {
+  static constexpr std::string_view kShapes[] = {"blob",       "cubic", "lathe",   "ovus", "poly",
+                                                 "polynomial", "prism", "quartic", "sor",  "torus"};
+  return object.kind == Object::Kind::shape && std::ranges::count(kShapes, object.word) > 0;
 }
 
-/// `radiosity { importance n }` of an object: without radiosity it means nothing.
-void parse_importance(Reader& reader, const Token& word) {
-  reader.open_block(word);
-  while (reader.accept(Keyword::importance)) {
-    const Token at = reader.peek();
-    const double importance = reader.number();
-    if (!(importance > 0.0 && importance <= 1.0)) reader.fail(at, "'importance' must be above 0 and at most 1");
-  }
-  reader.close_block();
+bool takes_hierarchy(const Object& object) {
+  static constexpr std::string_view kShapes[] = {"blob", "height_field", "mesh", "mesh2"};
+  return object.kind == Object::Kind::shape && std::ranges::count(kShapes, object.word) > 0;
+}
+
+/// Takes a word that goes with some objects only, and its flag.
+bool parse_method(Reader& reader, bool allowed) {
+  const Token word = reader.take();
+  if (!allowed) reader.fail(word, quoted(word) + " does not go with this object");
+  return reader.optional_number(1.0) > 0.0;
 }
 
 /// Words that say how an object takes part in the picture. False: the word is none of them.
@@ -49,9 +45,12 @@ bool accept_flag(Reader& reader, Object& object) {
     object.hollow = reader.optional_flag();
   } else if (reader.accept(Keyword::double_illuminate)) {
     object.double_illuminate = reader.optional_flag();
-  } else if (reader.accept(Keyword::no_radiosity) || reader.accept(Keyword::sturm) ||
-             reader.accept(Keyword::hierarchy)) {
-    reader.optional_flag();  // about methods, not about the picture
+  } else if (reader.accept(Keyword::no_radiosity)) {
+    object.no_radiosity = reader.optional_flag();
+  } else if (reader.next_is(Keyword::sturm)) {
+    object.sturm = parse_method(reader, takes_sturm(object) || object.sturm);
+  } else if (reader.next_is(Keyword::hierarchy)) {
+    object.hierarchy = parse_method(reader, takes_hierarchy(object));
   } else if (reader.next_is(Keyword::inverse)) {
     const Token at = reader.take();
     if (object.patch) reader.warn(at, "'inverse' does nothing to a surface without an inside");
@@ -85,27 +84,42 @@ bool accept_rare_modifier(Reader& reader, SceneContext& context, Object& object)
     }
     case Keyword::split_union: {
       const Token word = reader.take();
-      if (object.kind != Object::Kind::union_) reader.fail(word, "'split_union' is for unions only");
-      reader.number();
+      if (object.kind != Object::Kind::union_ && object.word != "text") {
+        reader.fail(word, "'split_union' is for unions only");
+      }
+      object.split_union = integer(reader, "split_union") != 0;
       return true;
     }
     case Keyword::photons: {
       const Token word = reader.take();
-      parse_photons(reader, word);
+      parse_object_photons(reader, word, object.photons);
       return true;
     }
     case Keyword::radiosity: {
       const Token word = reader.take();
-      parse_importance(reader, word);
+      if (const auto importance = parse_importance(reader, word)) object.radiosity_importance = importance;
       return true;
     }
     case Keyword::dtag:
       reader.take();
       reader.string();
       return true;
-    case Keyword::uv_mapping:
-    case Keyword::cutaway_textures:
-      fail_unsupported(reader, reader.take());
+    case Keyword::uv_mapping: {
+      const Token word = reader.take();
+      if (object.texture) reader.fail(word, "'uv_mapping' must stand before the texture");
+      object.uv_mapping = true;
+      object.unrendered.add(feature_use(render::Feature::uv_mapping, word));
+      return true;
+    }
+    case Keyword::cutaway_textures: {
+      const Token word = reader.take();
+      if (object.kind != Object::Kind::intersection) {
+        reader.fail(word, "'cutaway_textures' is for 'intersection' and 'difference' only");
+      }
+      object.cutaway_textures = true;
+      object.unrendered.add(feature_use(render::Feature::cutaway_textures, word));
+      return true;
+    }
     case Keyword::light_source:
       reader.fail(reader.take(), "a 'light_source' cannot be a modifier of an object");
     default:
@@ -118,6 +132,18 @@ bool accept_rare_modifier(Reader& reader, SceneContext& context, Object& object)
 }
 
 }  // namespace
+
+std::optional<double> parse_importance(Reader& reader, const Token& word) {
+  std::optional<double> importance;
+  reader.open_block(word);
+  while (reader.accept(Keyword::importance)) {
+    const Token at = reader.peek();
+    importance = reader.number();
+    if (!(*importance > 0.0 && *importance <= 1.0)) reader.fail(at, "'importance' must be above 0 and at most 1");
+  }
+  reader.close_block();
+  return importance;
+}
 
 void parse_modifiers(Reader& reader, SceneContext& context, const Token& word, Object& object) {
   for (;;) {

@@ -1,6 +1,7 @@
 #include "parser/parse_object.h"
 
 #include "parser/parse_common.h"
+#include "parser/parse_form.h"
 #include "parser/parse_shape.h"
 
 #include <algorithm>
@@ -24,6 +25,26 @@ Object parse_shape(Reader& reader, SceneContext& context, ShapeReader read, bool
   object.word = spelling(word.keyword);
   if (!object.shape) object = empty_object();
   object.patch = patch;
+  parse_modifiers(reader, context, word, object);
+  return object;
+}
+
+Object parse_described(Reader& reader, SceneContext& context, FormReader read) {
+  const Token word = reader.take();
+  reader.open_block(word);
+  if (auto declared = accept_declared_object(reader)) {
+    parse_modifiers(reader, context, word, *declared);
+    return std::move(*declared);
+  }
+  Object object;
+  object.word = spelling(word.keyword);
+  read(reader, context, word, object);
+  if (object.form) {
+    object.patch = render::is_patch(*object.form);
+    object.unrendered.add(feature_use(render::feature_of(*object.form), word));
+  } else if (!object.shape) {
+    object = empty_object();
+  }
   parse_modifiers(reader, context, word, object);
   return object;
 }
@@ -67,9 +88,13 @@ std::optional<Object> parse_object(Reader& reader, SceneContext& context) {
 #define PATCH(word, function) \
   case Keyword::word:         \
     return parse_shape(reader, context, function, true);
+#define FORM(word, function) \
+  case Keyword::word:        \
+    return parse_described(reader, context, function);
 #define ABSENT_SHAPE(word) case Keyword::word:
 #include "parser/shapes.def"
 #undef ABSENT_SHAPE
+#undef FORM
 #undef PATCH
 #undef SHAPE
     fail_unsupported(reader, reader.take());
@@ -81,6 +106,10 @@ std::optional<Object> parse_object(Reader& reader, SceneContext& context) {
     case Keyword::difference: {
       const Token word = reader.take();
       return parse_csg(reader, context, word);
+    }
+    case Keyword::light_group: {
+      const Token word = reader.take();
+      return parse_light_group(reader, context, word);
     }
     case Keyword::light_source: {
       const Token word = reader.take();

@@ -20,12 +20,18 @@ std::optional<render::Object> accept_declared_object(Reader& reader);
 /// What may follow the geometry of any object, and the `}` that closes it. `word` began the object.
 void parse_modifiers(Reader& reader, SceneContext& context, const Token& word, render::Object& object);
 
+/// `radiosity { importance n }`; nothing when the block is empty. The word has been taken.
+std::optional<double> parse_importance(Reader& reader, const Token& word);
+
 /// `bounded_by` and `clipped_by`. The word has been taken.
 void parse_bounded_by(Reader& reader, SceneContext& context, const Token& word, render::Object& object);
 void parse_clipped_by(Reader& reader, SceneContext& context, const Token& word, render::Object& object);
 
 /// `union`, `merge`, `intersection`, `difference`. The word has been taken.
 render::Object parse_csg(Reader& reader, SceneContext& context, const Token& word);
+
+/// The word `light_group` has been taken.
+render::Object parse_light_group(Reader& reader, SceneContext& context, const Token& word);
 
 /// The word `light_source` has been taken.
 render::Object parse_light(Reader& reader, SceneContext& context, const Token& word);

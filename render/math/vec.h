@@ -8,6 +8,7 @@ namespace firstlight::render {
 
 using Vec2 = Imath::V2d;
 using Vec3 = Imath::V3d;
+using Vec4 = Imath::V4d;
 using Mat4 = Imath::M44d;
 /// Axis-aligned box. Default constructed it is empty; an unbounded shape has an infinite one (makeInfinite()).
 using Box3 = Imath::Box3d;

@@ -3,6 +3,7 @@
 #include "render/feature/feature.h"
 #include "render/light/light.h"
 #include "render/math/transform.h"
+#include "render/scene/photon_role.h"
 #include "render/shape/shape.h"
 #include "render/texture/interior.h"
 #include "render/texture/texture.h"
@@ -53,6 +54,17 @@ struct Object {
   bool no_image = false;
   bool no_reflection = false;
   bool double_illuminate = false;
+  bool uv_mapping = false;        ///< textures go by the shape's own coordinates, not by space
+  bool cutaway_textures = false;  ///< of an intersection: parts without a texture have those of what they cut
+  bool split_union = true;        ///< of a union: its parts may be bounded one by one
+  bool sturm = false;             ///< polynomials are solved the slow and sure way
+  bool hierarchy = true;          ///< parts of the shape may be bounded
+  bool no_radiosity = false;
+  std::optional<double> radiosity_importance;  ///< above 0, at most 1; not set: the scene's default
+  PhotonRole photons;
+  /// A union whose lights shine on its own objects only; `global_lights`: which those of the scene light too.
+  bool light_group = false;
+  bool global_lights = false;
   /// How deep and how large the tree below is. Sharing lets a short text describe trees that no machine can walk;
   /// whoever builds an object keeps these in step, and the front end refuses too large ones.
   std::uint32_t depth = 0;  ///< levels of children, clips and bounds below this object

@@ -9,6 +9,7 @@
 #include "render/texture/interior.h"
 #include "render/texture/texture.h"
 
+#include <cstddef>
 #include <cstdint>
 #include <string>
 #include <vector>
@@ -67,7 +68,8 @@ struct Scene {
   std::vector<PlacedTexture> textures;
   std::vector<Interior> interiors;
   std::vector<ObjectGroup> objects;
-  FeatureUses unrendered;  ///< of all that is in the scene: while not empty, no picture is right
+  std::size_t described = 0;  ///< top-level objects that are no solids, for they cannot be rendered
+  FeatureUses unrendered;     ///< of all that is in the scene: while not empty, no picture is right
   std::vector<std::vector<std::string>> light_names;  ///< SDL identifiers of each light, the outermost first
 };
 

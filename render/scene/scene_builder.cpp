@@ -1,5 +1,6 @@
 #include "render/scene/scene_builder.h"
 
+#include "render/scene/form.h"
 #include "render/scene/object_table.h"
 #include "render/scene/texture_table.h"
 
@@ -60,6 +61,10 @@ bool has_surface(const Solid& solid) {
   return solid.kind == Solid::Kind::shape || std::any_of(solid.members.begin(), solid.members.end(), has_surface);
 }
 
+bool has_form(const Object& object) {
+  return object.form || (object.children && std::any_of(object.children->begin(), object.children->end(), has_form));
+}
+
 /// The geometry of clips and bounds: where they are, not how they look.
 std::optional<Solid> region(const Object& object, const Transform& to_world, bool inverted);
 
@@ -113,6 +118,7 @@ struct SceneBuilder::State {
   void promote_finish(std::uint32_t texture, std::uint32_t interior);
   void link(const Object& object, const Inherited& parent);
   void note_region(const std::shared_ptr<const std::vector<Object>>& objects);
+  void note_form(const Form& form, const Inherited& node);
   void note_surfaces();
   std::optional<Solid> freeze(const Object& object, const Inherited& parent, bool top_level);
   void add_part(Solid& solid, const Object& object, const Inherited& leaf);
@@ -174,7 +180,10 @@ void SceneBuilder::State::link(const Object& object, const Inherited& parent) {
   }
   size = object.size;
   std::optional<Solid> solid = freeze(object, parent, true);
-  if (!solid || !has_surface(*solid)) return;
+  if (!solid || !has_surface(*solid)) {
+    if (has_form(object)) ++scene->described;
+    return;
+  }
   solid->matter = matter;
   scene->solids.push_back(std::move(*solid));
 }
@@ -189,6 +198,7 @@ std::optional<Solid> SceneBuilder::State::freeze(const Object& object, const Inh
     return std::nullopt;
   }
   const Inherited node = at_node(object, parent);
+  if (object.form) note_form(*object.form, node);
   if (object.kind == Object::Kind::shape && !object.shape) return std::nullopt;
   Solid solid;
   solid.kind = solid_kind(object.kind, node.inverted);
@@ -218,6 +228,11 @@ void SceneBuilder::State::note_region(const std::shared_ptr<const std::vector<Ob
     scene->unrendered.add(object.unrendered);
     for (const auto* within : {&object.children, &object.clipped_by, &object.bounded_by}) note_region(*within);
   }
+}
+
+/// A described shape is met by no ray, but it is in the scene, with the textures of its parts.
+void SceneBuilder::State::note_form(const Form& form, const Inherited& node) {
+  for (const TexturePtr& texture : textures_of(form)) textures.index_of(texture, node.to_world);
 }
 
 void SceneBuilder::State::note_surfaces() {
@@ -278,7 +293,7 @@ void SceneBuilder::add(Object object, TexturePtr default_texture) {
   state_->link(object, Inherited());
 }
 
-std::size_t SceneBuilder::object_count() const { return state_->scene->solids.size(); }
+std::size_t SceneBuilder::object_count() const { return state_->scene->solids.size() + state_->scene->described; }
 
 std::unique_ptr<const Scene> SceneBuilder::build() {
   state_->order_solids();

@@ -84,10 +84,10 @@ TEST(ParseShape, PlaneWithoutNormalIsAnError) {
 }
 
 TEST(ParseShape, ShapeThatCannotBeRenderedIsNamedAtItsPlace) {
-  const auto result = load_bare("camera { location -z }\n  blob { threshold 1 }\n");
+  const auto result = load_bare("camera { location -z }\n  blob { sphere { 0, 1, 1 } }\n");
   ASSERT_FALSE(result.scene);
   const auto& error = result.diagnostics.back();
-  EXPECT_EQ(errors(result), "'blob' is not supported by this version of Firstlight\n");
+  EXPECT_EQ(errors(result), "'blob' cannot be rendered by this version of Firstlight\n");
   EXPECT_EQ(error.line, 2u);
   EXPECT_EQ(error.column, 3u);
 }

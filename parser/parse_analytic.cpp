@@ -1,0 +1,207 @@
+// Shapes that are given by a formula and a few numbers.
+#include "parser/parse_common.h"
+#include "parser/parse_form.h"
+#include "render/shape/primitives.h"
+
+#include <array>
+#include <cmath>
+#include <optional>
+#include <string>
+
+namespace firstlight::parser {
+
+using render::JuliaFractalForm;
+using render::JuliaFunction;
+using render::Object;
+using render::PolynomialForm;
+using render::Vec3;
+
+namespace {
+
+int parse_order(Reader& reader, const Token& word) {
+  const Token at = reader.peek();
+  const int order = integer(reader, "order of " + quoted(word));
+  if (order < PolynomialForm::kLowestOrder || order > PolynomialForm::kHighestOrder) {
+    reader.fail(at, "the order of " + quoted(word) + " must be from 2 to 35");
+  }
+  reader.skip_comma();
+  return order;
+}
+
+/// `<` all coefficients `>`
+PolynomialForm parse_coefficients(Reader& reader, const Token& word, int order) {
+  PolynomialForm form;
+  form.order = order;
+  form.coefficients.resize(PolynomialForm::coefficient_count(order));
+  if (!reader.accept(Punctuation::less)) reader.fail_expected("'<' and the coefficients of " + quoted(word));
+  const std::string what = "coefficient of " + quoted(word);
+  for (double& coefficient : form.coefficients) {
+    if (&coefficient != form.coefficients.data()) reader.skip_comma();
+    coefficient = finite_number(reader, what);
+  }
+  if (!reader.accept(Punctuation::greater)) {
+    reader.fail_expected("'>' after " + std::to_string(form.coefficients.size()) + " coefficients");
+  }
+  return form;
+}
+
+/// `(i, j, k): value` behind `xyz`.
+void parse_term(Reader& reader, PolynomialForm& form) {
+  const Token at = reader.peek();
+  if (!reader.accept(Punctuation::left_paren)) reader.fail_expected("'(' and the three powers");
+  std::array<int, 3> powers;
+  for (int& power : powers) {
+    power = integer(reader, "power");
+    if (&power != &powers.back()) reader.skip_comma();
+  }
+  if (!reader.accept(Punctuation::right_paren)) reader.fail_expected("')' after the three powers");
+  if (!reader.accept(Punctuation::colon)) reader.fail_expected("':' and the coefficient");
+  const double value = finite_number(reader, "coefficient of 'polynomial'");
+  for (int power : powers) {
+    if (power < 0 || power > form.order) reader.fail(at, "a power of 'polynomial' is negative or above its order");
+  }
+  if (powers[0] + powers[1] + powers[2] > form.order) {
+    reader.fail(at, "the powers of 'polynomial' add up to more than its order");
+  }
+  form.coefficients[PolynomialForm::place(form.order, powers[0], powers[1], powers[2])] = value;
+  reader.skip_comma();
+}
+
+std::optional<JuliaFunction> julia_function(Keyword word) {
+  struct Row {
+    Keyword word;
+    JuliaFunction function;
+  };
+  static constexpr Row kRows[] = {
+      {Keyword::sqr, JuliaFunction::square},
+      {Keyword::cube, JuliaFunction::cube},
+      {Keyword::exp, JuliaFunction::exponential},
+      {Keyword::reciprocal, JuliaFunction::reciprocal},
+      {Keyword::sin, JuliaFunction::sine},
+      {Keyword::asin, JuliaFunction::arc_sine},
+      {Keyword::sinh, JuliaFunction::hyperbolic_sine},
+      {Keyword::asinh, JuliaFunction::hyperbolic_arc_sine},
+      {Keyword::cos, JuliaFunction::cosine},
+      {Keyword::acos, JuliaFunction::arc_cosine},
+      {Keyword::cosh, JuliaFunction::hyperbolic_cosine},
+      {Keyword::acosh, JuliaFunction::hyperbolic_arc_cosine},
+      {Keyword::tan, JuliaFunction::tangent},
+      {Keyword::atan, JuliaFunction::arc_tangent},
+      {Keyword::tanh, JuliaFunction::hyperbolic_tangent},
+      {Keyword::atanh, JuliaFunction::hyperbolic_arc_tangent},
+      {Keyword::ln, JuliaFunction::natural_logarithm},
+      {Keyword::pwr, JuliaFunction::power},
+  };
+  for (const Row& row : kRows) {
+    if (row.word == word) return row.function;
+  }
+  return std::nullopt;
+}
+
+/// `(real, imaginary)`
+std::pair<double, double> parse_exponent(Reader& reader) {
+  if (!reader.accept(Punctuation::left_paren)) reader.fail_expected("'(' and the exponent's two parts");
+  std::pair<double, double> exponent;
+  exponent.first = finite_number(reader, "exponent of 'pwr'");
+  reader.skip_comma();
+  exponent.second = finite_number(reader, "exponent of 'pwr'");
+  if (!reader.accept(Punctuation::right_paren)) reader.fail_expected("')' after the exponent's two parts");
+  return exponent;
+}
+
+void parse_slice(Reader& reader, JuliaFractalForm& form) {
+  const Token at = reader.peek();
+  form.slice_normal = finite_vector4(reader, "slice of 'julia_fractal'");
+  reader.skip_comma();
+  form.slice_distance = finite_number(reader, "slice of 'julia_fractal'");
+  const double length = std::sqrt(form.slice_normal.dot(form.slice_normal));
+  if (length * length < kTinyLength) reader.fail(at, "the vector of 'slice' is zero");
+  if (std::abs(form.slice_normal.w) < kTinyLength) reader.fail(at, "the last component of 'slice' is zero");
+  form.slice_normal = form.slice_normal / length;
+}
+
+bool accept_julia_item(Reader& reader, JuliaFractalForm& form) {
+  if (reader.accept(Keyword::max_iteration)) {
+    form.most_iterations = std::max(1, static_cast<int>(std::floor(finite_number(reader, "max_iteration"))));
+  } else if (reader.accept(Keyword::slice)) {
+    parse_slice(reader, form);
+  } else if (reader.accept(Keyword::precision)) {
+    form.precision = std::max(1.0, finite_number(reader, "precision"));
+  } else if (reader.accept(Keyword::hypercomplex)) {
+    form.algebra = JuliaFractalForm::Algebra::hypercomplex;
+  } else if (reader.accept(Keyword::quaternion)) {
+    form.algebra = JuliaFractalForm::Algebra::quaternion;
+  } else if (const auto function = julia_function(reader.peek().keyword)) {
+    reader.take();
+    form.function = *function;
+    if (form.function == JuliaFunction::power) form.exponent = parse_exponent(reader);
+  } else {
+    return false;
+  }
+  return true;
+}
+
+}  // namespace
+
+void parse_cubic(Reader& reader, SceneContext&, const Token& word, Object& object) {
+  set_form(object, parse_coefficients(reader, word, 3));
+}
+
+void parse_quartic(Reader& reader, SceneContext&, const Token& word, Object& object) {
+  set_form(object, parse_coefficients(reader, word, 4));
+}
+
+void parse_poly(Reader& reader, SceneContext&, const Token& word, Object& object) {
+  const int order = parse_order(reader, word);
+  set_form(object, parse_coefficients(reader, word, order));
+}
+
+void parse_polynomial(Reader& reader, SceneContext&, const Token& word, Object& object) {
+  PolynomialForm form;
+  form.order = parse_order(reader, word);
+  form.coefficients.resize(PolynomialForm::coefficient_count(form.order));
+  while (reader.accept(Keyword::xyz)) parse_term(reader, form);
+  set_form(object, std::move(form));
+}
+
+void parse_quadric(Reader& reader, SceneContext&, const Token&, Object& object) {
+  render::QuadricForm form;
+  for (Vec3* terms : {&form.square, &form.mixed, &form.linear}) {
+    *terms = finite_vector(reader, "term of 'quadric'");
+    reader.skip_comma();
+  }
+  form.constant = finite_number(reader, "constant of 'quadric'");
+  set_form(object, form);
+}
+
+void parse_superellipsoid(Reader& reader, SceneContext&, const Token&, Object& object) {
+  const render::Vec2 exponents = finite_vector2(reader, "exponent of 'superellipsoid'");
+  set_form(object, render::SuperellipsoidForm{exponents.x, exponents.y});
+}
+
+void parse_ovus(Reader& reader, SceneContext&, const Token& word, Object& object) {
+  render::OvusForm form;
+  form.bottom_radius = finite_number(reader, "radius of 'ovus'");
+  reader.skip_comma();
+  form.top_radius = finite_number(reader, "radius of 'ovus'");
+  if (form.bottom_radius < 0.0 || form.top_radius < 0.0) reader.fail(word, "the radii of 'ovus' must be positive");
+  if (form.top_radius < 2.0 * form.bottom_radius) return set_form(object, form);
+  reader.warn(word, "the second radius of 'ovus' is not less than twice the first; the shape is a sphere");
+  object.shape = render::make_sphere(Vec3(0.0, form.bottom_radius, 0.0), form.top_radius);
+}
+
+void parse_julia_fractal(Reader& reader, SceneContext&, const Token& word, Object& object) {
+  JuliaFractalForm form;
+  form.parameter = finite_vector4(reader, "parameter of 'julia_fractal'");
+  while (accept_julia_item(reader, form)) {
+  }
+  if (form.algebra == JuliaFractalForm::Algebra::quaternion && form.function != JuliaFunction::square &&
+      form.function != JuliaFunction::cube) {
+    reader.fail(
+        word,
+        "a 'julia_fractal' of this function must be 'hypercomplex': of a 'quaternion' there are only 'sqr' and 'cube'");
+  }
+  set_form(object, form);
+}
+
+}  // namespace firstlight::parser

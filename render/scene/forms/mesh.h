@@ -1,0 +1,36 @@
+#pragma once
+
+#include "render/math/vec.h"
+#include "render/texture/texture.h"
+
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+namespace firstlight::render {
+
+/// Triangles that share their corners: `mesh` and `mesh2`.
+///
+/// Order    The lists by face are empty, or have an entry for each face.
+/// Memory   12 bytes a face and list, 12 a corner or normal: about 30 bytes a face of a smooth closed mesh.
+struct MeshForm {
+  using Corners = std::array<std::uint32_t, 3>;
+  static constexpr std::uint32_t kNone = 0xffffffffu;
+  static constexpr Corners kNoCorners{kNone, kNone, kNone};
+
+  std::vector<Imath::V3f> vertices;  ///< POV-Ray keeps single precision too
+  std::vector<Imath::V3f> normals;   ///< of unit length
+  std::vector<Vec2> uv;
+  std::vector<Corners> faces;         ///< into `vertices`
+  std::vector<Corners> face_normals;  ///< into `normals`; kNoCorners: a flat face
+  std::vector<Corners> face_uvs;      ///< into `uv`; without, all corners are at (0, 0)
+  std::vector<TexturePtr> textures;
+  /// Into `textures`, interpolated between the corners; kNoCorners: the object's texture.
+  std::vector<Corners> face_textures;
+  /// Of unit length: a point is inside if a ray this way leaves the mesh once more than it enters. Without, the mesh
+  /// has no inside.
+  std::optional<Vec3> inside_vector;
+};
+
+}  // namespace firstlight::render

@@ -1,0 +1,71 @@
+#pragma once
+
+#include "parser/interpreter.h"
+#include "parser/reader.h"
+#include "parser/statements.h"
+#include "render/feature/feature.h"
+#include "render/scene/form.h"
+#include "tests/parser/scene_text.h"
+
+#include <optional>
+#include <string>
+#include <string_view>
+
+namespace firstlight::parser {
+
+/// What became of a text that ends with an object.
+struct ParsedObject {
+  std::optional<render::Object> object;
+  std::string errors;    ///< one a line
+  std::string warnings;  ///< the same
+};
+
+/// The description of the object that `text` is, in version 3.7.
+inline ParsedObject parsed_object(std::string_view text) {
+  const SceneFile file("#version 3.7; " + std::string(text) + "\n");
+  ParsedObject result;
+  render::LoadResult messages;
+  render::SceneBuilder builder;
+  SceneContext context(builder);
+  const render::LoadOptions options;
+  Interpreter interpreter(options, messages.diagnostics, context);
+  Reader reader(interpreter);
+  try {
+    interpreter.open_scene(file.path());
+    result.object = parse_object(reader, context);
+    EXPECT_TRUE(reader.peek().is_end()) << text;
+  } catch (const SyntaxError& error) {
+    messages.diagnostics.insert(messages.diagnostics.end(), error.diagnostics.begin(), error.diagnostics.end());
+  }
+  result.errors = errors(messages);
+  result.warnings = warnings(messages);
+  return result;
+}
+
+/// The same of a text without errors and warnings.
+inline render::Object object_of(std::string_view text) {
+  ParsedObject parsed = parsed_object(text);
+  EXPECT_EQ(parsed.errors, "") << text;
+  EXPECT_EQ(parsed.warnings, "") << text;
+  return parsed.object.value_or(render::Object());
+}
+
+/// Its form, which must be a T.
+template <class T>
+T form_of(std::string_view text) {
+  const render::Object object = object_of(text);
+  const T* form = object.form ? std::get_if<T>(&object.form->shape) : nullptr;
+  EXPECT_TRUE(form) << text;
+  return form ? *form : T();
+}
+
+/// What `uses` names, one word after the other.
+inline std::string spelled(const render::FeatureUses& uses) {
+  std::string all;
+  for (const render::FeatureUse& use : uses.list()) {
+    all += (all.empty() ? "" : " ") + std::string(render::spelling(use.feature));
+  }
+  return all;
+}
+
+}  // namespace firstlight::parser
