@@ -1,7 +1,9 @@
+// Arrays, and what brackets behind a name pick.
 #include "parser/expression.h"
 #include "parser/interpreter.h"
 #include "parser/reader.h"
 
+#include <algorithm>
 #include <utility>
 
 namespace firstlight::parser {
@@ -12,34 +14,58 @@ constexpr std::size_t kMostDimensions = 5;
 
 }  // namespace
 
-// Several pairs of brackets pick the element of an array, and go on into it when it is an array itself.
-Scopes::Slot Interpreter::pick_element(const Scopes::Slot& array, const Token& name, bool may_be_empty) {
+// Brackets and keys pick a part, and go on into it when it is an array or a dictionary itself.
+Scopes::Slot Interpreter::pick_part(const Scopes::Slot& container, const Token& name, Pick purpose) {
   const Nesting nesting(*this);
-  Scopes::Slot slot = array;
-  while (const auto* held = std::get_if<std::shared_ptr<Array>>(slot.get())) {
-    if (!raw_next().is(Punctuation::left_bracket)) break;
-    const std::shared_ptr<Array> elements = *held;
-    const std::size_t index = parse_subscripts(*elements, name);
-    slot = Scopes::Slot(elements, &elements->elements[index]);
-    if (!may_be_empty && std::holds_alternative<std::monostate>(*slot)) {
+  Scopes::Slot slot = container;
+  picked_ = {};
+  while (picks_part(*slot, raw_next())) {
+    const std::uint32_t level = picked_.level + 1;
+    if (const auto* held = std::get_if<std::shared_ptr<Array>>(slot.get())) {
+      const std::shared_ptr<Array> array = *held;
+      slot = pick_element(array, name, purpose);
+      picked_ = {array, level};
+    } else {
+      slot = pick_entry(std::shared_ptr<Dictionary>(std::get<std::shared_ptr<Dictionary>>(*slot)), name, purpose);
+      picked_ = {nullptr, level};
+    }
+    if (purpose == Pick::value && std::holds_alternative<std::monostate>(*slot)) {
       fail(name.location, "this element of '" + std::string(name.text) + "' has no value yet");
     }
   }
   return slot;
 }
 
+Scopes::Slot Interpreter::pick_element(const std::shared_ptr<Array>& array, const Token& name, Pick purpose) {
+  const std::size_t index = parse_subscripts(*array, name);
+  if (index >= array->elements.size()) {  // of one that grows
+    if (purpose != Pick::target) return std::make_shared<Value>();
+    grow(*array, index + 1, name.location);
+  }
+  return Scopes::Slot(array, &array->elements[index]);
+}
+
+void Interpreter::grow(Array& array, std::size_t size, const Location& at) {
+  if (size > kMostElements) {
+    fail(at, "the array is too large (limit " + std::to_string(kMostElements) + " elements)");
+  }
+  array.elements.resize(size);
+  array.sizes[0] = static_cast<std::uint32_t>(size);
+}
+
 std::size_t Interpreter::parse_subscripts(const Array& array, const Token& name) {
   std::size_t index = 0;
-  for (const std::uint32_t size : array.sizes) {
+  for (std::size_t dimension = 0; dimension < array.sizes.size(); ++dimension) {
     expect(Punctuation::left_bracket, "for each dimension of", name.text);
     const Token at = peek();
     const double subscript = parse_float(*this);
+    const double size = array.grows ? static_cast<double>(kMostElements) : array.sizes[dimension];
     if (!(subscript >= -kSmallestTrue && subscript + kSmallestTrue < size)) {
-      fail(at.location, "expected a subscript from 0 to " + std::to_string(size - 1) + " for '" +
+      fail(at.location, "expected a subscript from 0 to " + number_text(size - 1.0) + " for '" +
                             std::string(name.text) + "', found " +
                             (subscript == subscript ? number_text(subscript) : "no number"));
     }
-    index = index * size + static_cast<std::size_t>(subscript + kSmallestTrue);
+    index = index * array.sizes[dimension] + static_cast<std::size_t>(subscript + kSmallestTrue);
     expect(Punctuation::right_bracket, "behind the subscript");
   }
   return index;
@@ -47,11 +73,16 @@ std::size_t Interpreter::parse_subscripts(const Array& array, const Token& name)
 
 Value Interpreter::parse_array() {
   auto array = std::make_shared<Array>();
+  array->mixed = accept_word("mixed");
   const Token owner = peek();
   std::size_t total = 1;
   while (peek().is(Punctuation::left_bracket)) {
     take();
     const Token at = peek();
+    if (array->sizes.empty() && at.is(Punctuation::right_bracket)) {
+      take();
+      break;
+    }
     if (array->sizes.size() == kMostDimensions) {
       fail(at.location, "an array has at most " + std::to_string(kMostDimensions) + " dimensions");
     }
@@ -64,52 +95,79 @@ Value Interpreter::parse_array() {
     total *= array->sizes.back();
     expect(Punctuation::right_bracket, "behind the size");
   }
-  if (array->sizes.empty()) fail(owner.location, "expected '[' and a size after 'array', found " + describe_next());
+  array->grows = array->sizes.empty();
+  if (array->grows) {
+    array->sizes.push_back(0);
+    total = 0;
+  }
   array->elements.resize(total);
   const Hold hold(*this);
-  if (peek().is(Punctuation::left_brace)) {
+  if (peek().is(Punctuation::left_brace) || next_is_word("optional")) {
     std::size_t element = 0;
     parse_initializer(*array, 0, element, owner);
   }
   return array;
 }
 
+// `{ a, b }`, and for each further dimension such lists in it. Behind `optional`, elements may be left out.
 void Interpreter::parse_initializer(Array& array, std::size_t dimension, std::size_t& element, const Token& owner) {
+  const bool optional = accept_word("optional");
   Token word = owner;
   word.text = "array";
   open_block(word);
-  for (std::uint32_t i = 0; i < array.sizes[dimension]; ++i) {
-    if (dimension + 1 < array.sizes.size()) {
+  const bool inner = dimension + 1 < array.sizes.size();
+  for (std::uint32_t i = 0; array.grows || i < array.sizes[dimension]; ++i) {
+    if (inner) {
       parse_initializer(array, dimension + 1, element, owner);
     } else {
       const Release release(*this);
-      if (peek().is(Punctuation::right_brace)) {
+      const bool closed = peek().is(Punctuation::right_brace);
+      if (closed && array.grows) break;
+      if (closed && !optional) {
         fail(peek().location, "expected " + std::to_string(array.sizes[dimension]) + " values for the array, found " +
                                   std::to_string(i));
       }
-      const Token at = peek();
-      Argument argument = parse_argument(false);
-      check_element(array, argument.value, at.location);
-      array.elements[element++] = std::move(argument.value);
+      if (array.grows) grow(array, element + 1, owner.location);
+      if (!optional || !next_is_left_out()) parse_element(array, element);
+      ++element;
     }
     if (peek().is(Punctuation::comma)) take();
   }
   close_block();
 }
 
-// All elements of an array are of one kind.
-void Interpreter::check_element(Array& array, const Value& value, const Location& at) {
-  if (const auto* inner = std::get_if<std::shared_ptr<Array>>(&value)) {
-    array.depth = std::max(array.depth, (*inner)->depth + 1);
-    if (array.depth > kDeepestArray) {
-      fail(at, "arrays are nested too deeply here (limit " + std::to_string(kDeepestArray) + ")");
-    }
+// Where an optional value is due: whether there is none.
+bool Interpreter::next_is_left_out() {
+  const Token& next = peek();
+  if (next.kind == TokenKind::identifier && peek_value() == nullptr && !next_is_word("dictionary")) {
+    take_binding();
+    return true;
   }
-  if (std::holds_alternative<std::shared_ptr<const Unsupported>>(value)) return;
+  return next.is(Punctuation::comma) || next.is(Punctuation::right_brace) || next.is(Punctuation::right_paren);
+}
+
+void Interpreter::parse_element(Array& array, std::size_t element) {
+  const Token at = peek();
+  Argument argument = parse_argument(false);
+  check_element(array, argument.value, at.location);
+  check_depth(1, argument.value, at.location);
+  array.elements[element] = std::move(argument.value);
+}
+
+// All elements of an array are of one kind, unless it is mixed.
+void Interpreter::check_element(Array& array, const Value& value, const Location& at) {
+  if (array.mixed || std::holds_alternative<std::shared_ptr<const Unsupported>>(value)) return;
   if (array.kind == 0) array.kind = kind_of(value);
   if (array.kind != kind_of(value)) {
     fail(at,
          "expected a value of the same kind as the array's other elements, found a " + std::string(kind_name(value)));
+  }
+}
+
+// `value` goes into an array or dictionary that has `level` - 1 others around it.
+void Interpreter::check_depth(std::uint32_t level, const Value& value, const Location& at) {
+  if (level + depth_of(value) > kDeepestArray) {
+    fail(at, "arrays and dictionaries are nested too deeply here (limit " + std::to_string(kDeepestArray) + ")");
   }
 }
 

@@ -23,13 +23,78 @@ void Interpreter::check_same_frame(std::size_t frames, const Token& word) {
   }
 }
 
-// The index of the `#` of the `#end` of the block that `hash` belongs to.
+// The index of the `#` of the `#end` of the loop or macro that `hash` belongs to.
 std::uint32_t Interpreter::end_of_block(std::uint32_t hash) const {
   const std::vector<Token>& tokens = frames_.back().file->tokens;
   do {
     hash = tokens[hash].symbol;
   } while (hash != kNoLink && !tokens[hash + 1].is(Keyword::end));
   return hash;
+}
+
+// The index of the `#` of what follows the part at `hash` in its block. A branch may go on behind the end of its file,
+// in the file that includes it; then that file is the innermost frame.
+std::uint32_t Interpreter::next_branch(std::uint32_t hash, const Token& word) {
+  std::uint32_t next = frames_.back().file->tokens[hash].symbol;
+  if (next == kNoLink) next = find_branch(hash + 2);
+  while (next == kNoLink) {
+    if (frames_.size() == 1 || frames_.back().macro) fail_unclosed(word);
+    leave_frame();
+    next = find_branch(frames_.back().position);
+  }
+  return next;
+}
+
+// The first #else, #elseif, #case, #range or #end from `index` on that belongs to no block which begins there.
+std::uint32_t Interpreter::find_branch(std::uint32_t index) const {
+  const std::vector<Token>& tokens = frames_.back().file->tokens;
+  for (; index < frames_.back().end; ++index) {
+    if (!tokens[index].is(Punctuation::hash)) continue;
+    switch (tokens[index + 1].keyword) {
+      case Keyword::else_:
+      case Keyword::elseif:
+      case Keyword::case_:
+      case Keyword::range:
+      case Keyword::end:
+        return index;
+      case Keyword::if_:
+      case Keyword::ifdef:
+      case Keyword::ifndef:
+      case Keyword::switch_:
+      case Keyword::while_:
+      case Keyword::for_:
+      case Keyword::macro:
+        index = end_of_block(index);
+        if (index == kNoLink) return kNoLink;
+        break;
+      default:
+        break;
+    }
+  }
+  return kNoLink;
+}
+
+void Interpreter::skip_to_end(std::uint32_t hash, const Token& word) {
+  do {
+    hash = next_branch(hash, word);
+  } while (!frames_.back().file->tokens[hash + 1].is(Keyword::end));
+  go_behind(hash);
+}
+
+void Interpreter::fail_unclosed(const Token& word) {
+  fail(frames_.back().file->tokens.back().location,
+       "expected '#end' to close " + hash_word(word) + ", found end of file", word.location,
+       hash_word(word) + " opened here");
+}
+
+// Whether the innermost block is one that may have branches here: one of this file or macro, or a choice in the file
+// that includes this one, or in one that this file has included.
+bool Interpreter::in_choice(Condition::Kind kind) const {
+  if (conditions_.empty() || conditions_.back().kind != kind) return false;
+  for (std::size_t frame = conditions_.back().frame; frame < frames_.size(); ++frame) {
+    if (frames_[frame].macro) return false;
+  }
+  return true;
 }
 
 void Interpreter::go_behind(std::uint32_t end) { frames_.back().position = end + 2; }
@@ -39,15 +104,15 @@ void Interpreter::run_if(const Token& word, std::uint32_t hash) {
   const bool named = word.is(Keyword::ifdef) || word.is(Keyword::ifndef);
   bool holds = named ? parse_defined() == word.is(Keyword::ifdef) : condition_holds();
   check_same_frame(frames, word);
-  const std::vector<Token>& tokens = frames_.back().file->tokens;
   for (std::uint32_t branch = hash; !holds;) {
-    branch = tokens[branch].symbol;
-    const Token& next = tokens[branch + 1];
+    branch = next_branch(branch, word);
+    const Token& next = frames_.back().file->tokens[branch + 1];
+    const std::size_t frames_of_branch = frames_.size();
     go_behind(branch);
     if (next.is(Keyword::end)) return;
     if (next.is(Keyword::elseif)) {
       holds = condition_holds();
-      check_same_frame(frames, next);
+      check_same_frame(frames_of_branch, next);
     } else if (next.is(Keyword::else_)) {
       holds = true;
     } else {
@@ -55,18 +120,18 @@ void Interpreter::run_if(const Token& word, std::uint32_t hash) {
            hash_word(word) + " is here");
     }
   }
-  conditions_.push_back({.kind = Condition::Kind::if_, .frame = frames, .hash = hash});
+  conditions_.push_back({.kind = Condition::Kind::if_, .word = &word, .frame = frames_.size(), .hash = hash});
 }
 
 // A branch begins where the one before it, which was read, ends.
 void Interpreter::run_further_branch(const Token& word, std::uint32_t hash) {
   const bool of_if = word.is(Keyword::else_) || word.is(Keyword::elseif);
-  if (in_block() && conditions_.back().kind == Condition::Kind::if_ && of_if) {
-    go_behind(end_of_block(hash));
+  if (in_choice(Condition::Kind::if_) && of_if) {
+    const Token& opener = *conditions_.back().word;
     conditions_.pop_back();
-    return;
+    return skip_to_end(hash, opener);
   }
-  if (in_block() && conditions_.back().kind == Condition::Kind::switch_ && !word.is(Keyword::elseif)) {
+  if (in_choice(Condition::Kind::switch_) && !word.is(Keyword::elseif)) {
     // Without a #break, reading goes on into the next case.
     const std::size_t frames = frames_.size();
     if (!word.is(Keyword::else_)) case_applies(word.keyword, 0.0);
@@ -85,22 +150,23 @@ void Interpreter::run_switch(const Token& word, std::uint32_t hash) {
   const std::size_t frames = frames_.size();
   const double value = parse_condition(*this);
   check_same_frame(frames, word);
-  const std::vector<Token>& tokens = frames_.back().file->tokens;
-  std::uint32_t branch = tokens[hash].symbol;
-  if (frames_.back().position != branch || tokens[branch + 1].is(Keyword::end)) {
-    fail(raw_next().location, "expected '#case' or '#range' after '#switch', found " + describe(raw_next()));
-  }
-  for (;; branch = tokens[branch].symbol) {
-    const Token& next = tokens[branch + 1];
+  std::uint32_t branch = hash;
+  for (bool applies = false; !applies;) {
+    const bool first = branch == hash;
+    branch = next_branch(branch, word);
+    const Token& next = frames_.back().file->tokens[branch + 1];
+    if (first && (frames_.back().position != branch || next.is(Keyword::end))) {
+      fail(raw_next().location, "expected '#case' or '#range' after '#switch', found " + describe(raw_next()));
+    }
     go_behind(branch);
     if (next.is(Keyword::end)) return;
     if (next.is(Keyword::else_)) break;
     if (next.is(Keyword::elseif)) fail(next.location, "'#elseif' without '#if'");
-    const bool applies = case_applies(next.keyword, value);
-    check_same_frame(frames, next);
-    if (applies) break;
+    const std::size_t frames_of_branch = frames_.size();
+    applies = case_applies(next.keyword, value);
+    check_same_frame(frames_of_branch, next);
   }
-  conditions_.push_back({.kind = Condition::Kind::switch_, .frame = frames, .hash = hash});
+  conditions_.push_back({.kind = Condition::Kind::switch_, .word = &word, .frame = frames_.size(), .hash = branch});
 }
 
 void Interpreter::run_while(const Token& word, std::uint32_t hash) {
@@ -108,7 +174,7 @@ void Interpreter::run_while(const Token& word, std::uint32_t hash) {
   const bool holds = condition_holds();
   check_same_frame(frames, word);
   if (holds) {
-    conditions_.push_back({.kind = Condition::Kind::while_, .frame = frames, .hash = hash});
+    conditions_.push_back({.kind = Condition::Kind::while_, .word = &word, .frame = frames, .hash = hash});
   } else {
     go_behind(end_of_block(hash));
   }
@@ -119,6 +185,7 @@ void Interpreter::run_for(const Token& word, std::uint32_t hash) {
   Reader reader(*this);
   Condition loop;
   loop.kind = Condition::Kind::for_;
+  loop.word = &word;
   loop.frame = frames;
   loop.hash = hash;
   expect(Punctuation::left_paren, "after '#for'");
@@ -151,7 +218,10 @@ bool Interpreter::for_continues(const Condition& loop) const {
 }
 
 void Interpreter::run_end(const Token& word, std::uint32_t hash) {
-  if (!in_block()) fail(word.location, "'#end' without '#if', '#switch', '#while', '#for' or '#macro'");
+  const bool of_choice = in_choice(Condition::Kind::if_) || in_choice(Condition::Kind::switch_);
+  if (!in_block() && !of_choice) {
+    fail(word.location, "'#end' without '#if', '#switch', '#while', '#for' or '#macro'");
+  }
   Condition& block = conditions_.back();
   const bool is_loop = block.kind == Condition::Kind::while_ || block.kind == Condition::Kind::for_;
   if (is_loop && turn_again(block, word)) return;
@@ -184,6 +254,7 @@ void Interpreter::run_break(const Token& word) {
   while (in_block()) {
     const Condition block = conditions_.back();
     conditions_.pop_back();
+    if (block.kind == Condition::Kind::switch_) return skip_to_end(block.hash, *block.word);
     if (block.kind != Condition::Kind::if_) return go_behind(end_of_block(block.hash));
   }
   if (frames_.back().macro == nullptr) fail(word.location, "'#break' outside of a loop, '#switch' or macro");

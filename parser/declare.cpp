@@ -66,13 +66,10 @@ Interpreter::Target Interpreter::parse_target(const Token& word) {
     fail(target.name.location, "expected an identifier after '#" + std::string(word.text) + "', found the macro '" +
                                    std::string(target.name.text) + "'");
   }
-  if (binding != nullptr && raw_next().is(Punctuation::left_bracket)) {
-    const Scopes::Slot slot = binding->slot;
-    if (const auto* array = std::get_if<std::shared_ptr<Array>>(slot.get())) {
-      target.array = *array;
-      target.slot = pick_element(slot, target.name, true);
-      return target;
-    }
+  if (binding != nullptr && picks_part(*binding->slot, raw_next())) {
+    target.slot = pick_part(Scopes::Slot(binding->slot), target.name, Pick::target);
+    target.part = picked_;
+    return target;
   }
   target.slot = scopes_.target(target.name.symbol, word.is(Keyword::local));
   return target;
@@ -80,23 +77,35 @@ Interpreter::Target Interpreter::parse_target(const Token& word) {
 
 void Interpreter::run_declare(const Token& word, bool after_hash) {
   unsettle();
+  const Token& next = raw_next();
+  if (next.is(Punctuation::left_paren) || next.is(Punctuation::less) || next.is(Punctuation::left_brace)) {
+    return run_several_declare(word);
+  }
   const Target target = parse_target(word);
   const Hold hold(*this);
   expect(Punctuation::equal, "after", target.name.text);
   Argument argument = parse_argument(false);
-  if (!peek().is(Punctuation::semicolon) && argument.needs_semicolon) {
-    const std::string message =
-        "expected ';' after the value of '" + std::string(target.name.text) + "', found " + describe_next();
-    if (language_version() >= 350) fail(peek().location, message, word.location, "the declaration is here");
-    if (language_version() >= 310) warn(peek().location, message);
-  }
-  if (target.array) check_element(*target.array, argument.value, target.name.location);
-  *target.slot = std::move(argument.value);
+  if (argument.needs_semicolon) check_semicolon(target, word);
+  store(target, std::move(argument.value));
   if (peek().is(Punctuation::semicolon) && (after_hash || argument.needs_semicolon)) {
     take();
   } else {
     unsettle();  // what follows may be the very name that has its meaning only now
   }
+}
+
+void Interpreter::check_semicolon(const Target& target, const Token& word) {
+  if (peek().is(Punctuation::semicolon)) return;
+  const std::string message =
+      "expected ';' after the value of '" + std::string(target.name.text) + "', found " + describe_next();
+  if (language_version() >= 350) fail(peek().location, message, word.location, "the declaration is here");
+  if (language_version() >= 310) warn(peek().location, message);
+}
+
+void Interpreter::store(const Target& target, Value value) {
+  if (target.part.array) check_element(*target.part.array, value, target.name.location);
+  if (target.part.level > 0) check_depth(target.part.level, value, target.name.location);
+  *target.slot = std::move(value);
 }
 
 // A value as it may be declared or handed to a macro. A name alone is handed on by reference, if the macro's caller has
@@ -112,6 +121,10 @@ Interpreter::Argument Interpreter::parse_argument(bool parameter) {
     first = peek();
     if (first.kind == TokenKind::identifier) {
       if (peek_value() == nullptr) {
+        if (accept_word("dictionary")) {
+          result.value = parse_dictionary(first);
+          return result;
+        }
         fail(first.location, "expected a value, found " + describe_next());
       }
       name = peek_binding();

@@ -1,9 +1,12 @@
+#include "parser/data_file.h"
 #include "parser/expression.h"
 #include "parser/interpreter.h"
 #include "parser/reader.h"
 #include "parser/string_expression.h"
 
 #include <array>
+#include <fstream>
+#include <iterator>
 #include <utility>
 
 namespace firstlight::parser {
@@ -60,7 +63,26 @@ Interpreter::Interpreter(const render::LoadOptions& options, render::Diagnostics
   }
 }
 
+void Interpreter::read_permissions() {
+  std::vector<Permissions> all;
+  for (const std::string& path : options_.permission_files) {
+    Diagnostic error;
+    error.file = path;
+    error.message = "the permissions cannot be read";
+    std::ifstream stream(path);
+    if (!stream) throw SyntaxError({error});
+    const std::string text{std::istreambuf_iterator<char>(stream), {}};
+    std::vector<std::string> problems;
+    all.push_back(Permissions::parse(text, Permissions::places(), problems));
+    if (problems.empty()) continue;
+    error.message = problems.front();
+    throw SyntaxError({error});
+  }
+  files_.restrict_to(std::move(all));
+}
+
 void Interpreter::open_scene(const std::string& path) {
+  read_permissions();
   const SourceFiles::Result result = files_.read_scene(path, options_.library_paths);
   if (result.status == SourceFiles::Status::found) {
     const TokenFile& file = tokens_of(*result.file);
@@ -151,10 +173,13 @@ void Interpreter::obey(const Token& word, std::uint32_t hash) {
     case Keyword::statistics:
       return run_message(word);
     case Keyword::fopen:
+      return run_fopen(word);
     case Keyword::fclose:
+      return run_fclose(word);
     case Keyword::read:
+      return run_read(word);
     case Keyword::write:
-      fail(word.location, "'#" + std::string(word.text) + "' is not supported by this version of Firstlight");
+      return run_write(word);
     default:
       break;
   }
@@ -216,11 +241,12 @@ void Interpreter::run_undef(const Token& word) {
     return;
   }
   const Scopes::Slot slot = binding->slot;
-  if (std::holds_alternative<std::shared_ptr<Array>>(*slot) && raw_next().is(Punctuation::left_bracket)) {
-    *pick_element(slot, name, true) = std::monostate();
-  } else {
-    scopes_.remove(name.symbol);
+  if (picks_part(*slot, raw_next())) {
+    *pick_part(slot, name, Pick::test) = std::monostate();
+    return;
   }
+  if (const auto* file = std::get_if<std::shared_ptr<DataFile>>(slot.get())) close_data_file(**file, name.location);
+  scopes_.remove(name.symbol);
 }
 
 void Interpreter::run_include(const Token& word) {
@@ -228,28 +254,8 @@ void Interpreter::run_include(const Token& word) {
   const Token at = peek();
   const std::string name = at.kind == TokenKind::string ? std::string(take().text) : parse_string(*this);
   unsettle();
-  const SourceFile& from = *frames_.back().file->source;
-  const SourceFiles::Result result = files_.read_include(name, from);
-  switch (result.status) {
-    case SourceFiles::Status::found:
-      break;
-    case SourceFiles::Status::missing:
-      fail(at.location,
-           "there is no include file '" + name + "' in the current folder, the scene's or the library folders");
-    case SourceFiles::Status::forbidden:
-      fail(at.location, "'" + result.path +
-                            "' may not be read: a scene may read files of its own folder, the current folder, " +
-                            "the library folders and the standard includes only");
-    case SourceFiles::Status::too_large:
-      fail(at.location,
-           "'" + result.path + "' is too large (limit " + std::to_string(SourceFiles::kLargestFile >> 20) + " MiB)");
-    case SourceFiles::Status::unreadable:
-      fail(at.location, "'" + result.path + "' cannot be read");
-  }
-  if (result.other_case) {
-    warn(at.location,
-         "there is no file '" + name + "'; '" + result.path + "' is read, whose name differs in upper and lower case");
-  }
+  const SourceFiles::Result result = files_.read_include(name, *frames_.back().file->source);
+  found_file(result, name, at.location);
   std::size_t depth = 0;
   for (const Frame& frame : frames_) depth += frame.macro == nullptr;
   if (depth > kDeepestInclude) {
@@ -263,8 +269,38 @@ void Interpreter::run_include(const Token& word) {
   enter_frame(std::move(frame));
 }
 
+// Says what is wrong when the file was not found, or not by that name.
+const SourceFiles::Result& Interpreter::found_file(const SourceFiles::Result& result, const std::string& name,
+                                                   const Location& at) {
+  switch (result.status) {
+    case SourceFiles::Status::found:
+      break;
+    case SourceFiles::Status::missing:
+      fail(at, "there is no file '" + name + "' in the current folder, the scene's or the library folders");
+    case SourceFiles::Status::forbidden:
+      fail(at, "'" + result.path +
+                   "' may not be read: a scene may read files of its own folder, the current folder, the library "
+                   "folders, and where its permissions allow");
+    case SourceFiles::Status::too_large:
+      fail(at,
+           "'" + result.path + "' is too large (limit " + std::to_string(SourceFiles::kLargestFile >> 20) + " MiB)");
+    case SourceFiles::Status::unreadable:
+      fail(at, "'" + result.path + "' cannot be read");
+  }
+  if (result.other_case) {
+    warn(at,
+         "there is no file '" + name + "'; '" + result.path + "' is read, whose name differs in upper and lower case");
+  }
+  return result;
+}
+
 bool Interpreter::file_exists(const std::string& name) const {
-  return files_.exists(name, *frames_.back().file->source);
+  return files_.find_file(name, {}, *frames_.back().file->source).status == SourceFiles::Status::found;
+}
+
+std::string Interpreter::find_file(const std::string& name, const std::vector<std::string>& extensions,
+                                   const Location& at) {
+  return found_file(files_.find_file(name, extensions, *frames_.back().file->source), name, at).path;
 }
 
 const Token& Interpreter::take_identifier(const Token& word) {
@@ -284,11 +320,9 @@ bool Interpreter::parse_defined() {
   }
   const Scopes::Binding* binding = name.kind == TokenKind::identifier ? scopes_.find(name.symbol) : nullptr;
   bool result = binding != nullptr;
-  if (result && raw_next().is(Punctuation::left_bracket)) {
+  if (result && picks_part(*binding->slot, raw_next())) {
     const Scopes::Slot slot = binding->slot;
-    if (std::holds_alternative<std::shared_ptr<Array>>(*slot)) {
-      result = !std::holds_alternative<std::monostate>(*pick_element(slot, name, true));
-    }
+    result = !std::holds_alternative<std::monostate>(*pick_part(slot, name, Pick::test));
   }
   expect(Punctuation::right_paren, "behind the name");
   return result;
@@ -296,6 +330,8 @@ bool Interpreter::parse_defined() {
 
 void Interpreter::finish() {
   const Location end = peek().location;
+  if (!conditions_.empty()) fail_unclosed(*conditions_.back().word);
+  close_data_files();
   if (!language_.version_stated()) {
     warn(end,
          "no '#version' in this scene: where 3.7 differs from 3.6 in what it renders, 3.6 holds, so without "

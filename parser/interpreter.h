@@ -7,10 +7,14 @@
 
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace firstlight::parser {
+
+class DataReader;
 
 /// Obeys the directives of the language: declarations, conditions, loops, macros, included files. Reader is its face
 /// towards the statements.
@@ -25,6 +29,7 @@ class Interpreter final : public TokenStream {
   static constexpr std::size_t kDeepestArray = 20;        // of arrays in arrays
   static constexpr std::size_t kLongestString = 1u << 20;
   static constexpr std::uint64_t kMostSteps = 100'000'000;
+  static constexpr std::uint64_t kMostWritten = 1u << 30;  // bytes, by all of a scene's #write
 
   Interpreter(const render::LoadOptions& options, render::Diagnostics& diagnostics, SceneContext& context);
 
@@ -43,6 +48,9 @@ class Interpreter final : public TokenStream {
   RandomStreams& random() { return random_; }
   const render::LoadOptions& options() const { return options_; }
   bool file_exists(const std::string& name) const;
+  /// The path of the file that the scene calls `name`, such as an image or a font; `extensions`, with their dots, may
+  /// be left out in the name. Fails at `at` when there is none, or none that may be read.
+  std::string find_file(const std::string& name, const std::vector<std::string>& extensions, const Location& at);
   /// `(name)` behind `defined` or `#ifdef`: whether it is declared; of an array's element, whether it has a value.
   bool parse_defined();
   /// An old directive without `#`: `declare`, `include`, `version`.
@@ -53,17 +61,24 @@ class Interpreter final : public TokenStream {
   struct Condition {
     enum class Kind { if_, while_, for_, switch_ };
     Kind kind = Kind::if_;
+    const Token* word = nullptr;      // of its first directive
     std::size_t frame = 0;            // depth of the frame it is in
-    std::uint32_t hash = 0;           // of its first directive
+    std::uint32_t hash = 0;           // of its first directive; of #switch: of the case that applies
     std::uint32_t body = 0;           // of #for: behind its parentheses
     Scopes::Slot variable = nullptr;  // of #for
     double end = 0.0, step = 0.0;
+  };
+  /// Where pick_part() has come to.
+  struct Part {
+    std::shared_ptr<Array> array;  // the innermost; null for a dictionary
+    std::uint32_t level = 0;       // arrays and dictionaries around it; 0: it is none's part
   };
   /// What `#declare` writes to.
   struct Target {
     Token name;
     Scopes::Slot slot;
-    std::shared_ptr<Array> array;  // when it is an element
+    Part part;              // when it is a part of an array or a dictionary
+    bool optional = false;  // of several: may get no value
   };
   /// A value, and the slot of the name that it was read from, when it was a single name.
   struct Argument {
@@ -74,12 +89,14 @@ class Interpreter final : public TokenStream {
   };
 
   // directive.cpp
+  void read_permissions();
   void run_directive() override;
   void obey(const Token& word, std::uint32_t hash);
   void run_version(const Token& word, bool first);
   void run_message(const Token& word);
   void run_undef(const Token& word);
   void run_include(const Token& word);
+  const SourceFiles::Result& found_file(const SourceFiles::Result& result, const std::string& name, const Location& at);
   const TokenFile& tokens_of(const SourceFile& file);
   void count_step(const Location& at);
   // conditional.cpp
@@ -93,6 +110,11 @@ class Interpreter final : public TokenStream {
   void run_end(const Token& word, std::uint32_t hash);
   void run_break(const Token& word);
   std::uint32_t end_of_block(std::uint32_t hash) const;
+  std::uint32_t next_branch(std::uint32_t hash, const Token& word);
+  std::uint32_t find_branch(std::uint32_t index) const;
+  void skip_to_end(std::uint32_t hash, const Token& word);
+  [[noreturn]] void fail_unclosed(const Token& word);
+  bool in_choice(Condition::Kind kind) const;
   void go_behind(std::uint32_t end);
   bool for_continues(const Condition& loop) const;
   bool turn_again(Condition& loop, const Token& word);
@@ -103,24 +125,55 @@ class Interpreter final : public TokenStream {
   void call_macro(const Token& name, const std::shared_ptr<const Macro>& macro) override;
   // declare.cpp
   void run_declare(const Token& word, bool after_hash);
+  void check_semicolon(const Target& target, const Token& word);
+  void store(const Target& target, Value value);
   Target parse_target(const Token& word);
   Argument parse_argument(bool parameter);
-  void check_redeclared(const Target& target, const Value& value);
   Value parse_statement_value(const Token& first);
   Value store_unparsed(const Checkpoint& start, const Token& word, std::string why);
   const Token& take_identifier(const Token& word);
+  // several_declare.cpp
+  void run_several_declare(const Token& word);
+  std::vector<Target> parse_targets(const Token& word, Punctuation closing);
+  void store_tuple(const std::vector<Target>& targets);
+  void store_components(const std::vector<Target>& targets);
+  void store_elements(const std::vector<Target>& targets);
   // array.cpp
-  Scopes::Slot pick_element(const Scopes::Slot& array, const Token& name, bool may_be_empty) override;
+  Scopes::Slot pick_part(const Scopes::Slot& container, const Token& name, Pick purpose) override;
+  Scopes::Slot pick_element(const std::shared_ptr<Array>& array, const Token& name, Pick purpose);
   std::size_t parse_subscripts(const Array& array, const Token& name);
   Value parse_array();
   void parse_initializer(Array& array, std::size_t dimension, std::size_t& element, const Token& owner);
+  bool next_is_left_out();
+  void parse_element(Array& array, std::size_t element);
   void check_element(Array& array, const Value& value, const Location& at);
+  void check_depth(std::uint32_t level, const Value& value, const Location& at);
+  void grow(Array& array, std::size_t size, const Location& at);
+  // dictionary.cpp
+  Value parse_dictionary(const Token& word);
+  std::string parse_key();
+  Scopes::Slot pick_entry(const std::shared_ptr<Dictionary>& dictionary, const Token& name, Pick purpose);
+  Scopes::Slot add_entry(Dictionary& dictionary, const std::string& key, const Location& at);
+  // file_directive.cpp
+  void run_fopen(const Token& word);
+  void run_fclose(const Token& word);
+  void run_read(const Token& word);
+  void run_write(const Token& word);
+  std::shared_ptr<DataFile> take_data_file(const Token& word, Token& name);
+  const SourceFile* open_for_reading(const std::string& path, const Location& at);
+  void close_data_file(DataFile& file, const Location& at);
+  void close_data_files();
+  std::optional<Value> parse_datum(DataReader& data);
+  double parse_data_number(DataReader& data);
 
   SceneContext& context_;
   LanguageState language_;
   RandomStreams random_;
   std::vector<std::unique_ptr<TokenFile>> token_files_;  // by SourceFile::index
   std::vector<Condition> conditions_;
+  Part picked_;  // by the last pick_part()
+  std::vector<std::weak_ptr<DataFile>> written_files_;
+  std::uint64_t written_bytes_ = 0;
   std::uint64_t steps_ = 0;
 };
 

@@ -13,19 +13,24 @@ bool is_digit(char c) { return c >= '0' && c <= '9'; }
 bool is_word_start(char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '_'; }
 bool is_space(char c) { return c == ' ' || (c >= '\t' && c <= '\r') || c == '\x1a'; }  // 0x1a ended DOS files
 
-/// One pass over one file.
-class Lexer {
- public:
-  Lexer(const SourceFile& source, Symbols& symbols) : source_(source), text_(source.text), symbols_(symbols) {}
+}  // namespace
 
-  std::vector<Token> run() {
+/// The reading of one file.
+class Lexer::Pass {
+ public:
+  Pass(const SourceFile& source, Symbols& symbols) : source_(source), text_(source.text), symbols_(symbols) {
     refuse_binary();
-    tokens_.reserve(text_.size() / 4 + 1);
     while (at_ < text_.size() && static_cast<unsigned char>(text_[at_]) > 127) ++at_;  // byte-order mark
-    while (skip_blanks()) read_token();
-    begin_token();
-    finish_token(TokenKind::end);
-    return std::move(tokens_);
+  }
+
+  Token next_token() {
+    if (skip_blanks()) {
+      read_token();
+    } else {
+      begin_token();
+      finish_token(TokenKind::end);
+    }
+    return token_;
   }
 
  private:
@@ -100,7 +105,6 @@ class Lexer {
     token_.kind = kind;
     token_.location.length = static_cast<std::uint32_t>(at_ - start_);
     if (kind != TokenKind::string) token_.text = text_.substr(start_, at_ - start_);
-    tokens_.push_back(token_);
   }
 
   void read_token() {
@@ -162,7 +166,7 @@ class Lexer {
     token_.text = text_.substr(contents, at_ - contents);
     ++at_;
     finish_token(TokenKind::string);
-    if (opening.line != line_) tokens_.back().location.length = 1;  // a string of several lines: underline its quote
+    if (opening.line != line_) token_.location.length = 1;  // a string of several lines: underline its quote
   }
 
   void read_mark() {
@@ -197,8 +201,17 @@ class Lexer {
   std::size_t start_ = 0;
   std::uint32_t line_ = 1;
   Token token_;
-  std::vector<Token> tokens_;
 };
+
+Lexer::Lexer(const SourceFile& source, Symbols& symbols) : pass_(std::make_unique<Pass>(source, symbols)) {}
+Lexer::~Lexer() = default;
+Token Lexer::next() { return pass_->next_token(); }
+
+namespace {
+
+bool must_close_in_its_file(Keyword word) {
+  return word == Keyword::while_ || word == Keyword::for_ || word == Keyword::macro;
+}
 
 // Sets the links between the parts of block directives.
 void link_blocks(TokenFile& file) {
@@ -239,6 +252,8 @@ void link_blocks(TokenFile& file) {
         break;
     }
   }
+  // A branch may end in the file that includes this one; a loop or a macro may not.
+  std::erase_if(open, [&](const Open& block) { return !must_close_in_its_file(tokens[block.opener + 1].keyword); });
   if (open.empty()) return;
   const Token& word = tokens[open.back().opener + 1];
   const auto message = "expected '#end' to close '#" + std::string(word.text) + "', found end of file";
@@ -261,7 +276,11 @@ std::uint32_t Symbols::intern(std::string_view name) {
 TokenFile tokenize(const SourceFile& source, Symbols& symbols) {
   TokenFile file;
   file.source = &source;
-  file.tokens = Lexer(source, symbols).run();
+  file.tokens.reserve(source.text.size() / 4 + 1);
+  Lexer lexer(source, symbols);
+  do {
+    file.tokens.push_back(lexer.next());
+  } while (!file.tokens.back().is_end());
   link_blocks(file);
   return file;
 }

@@ -4,6 +4,7 @@
 #include "parser/token.h"
 
 #include <deque>
+#include <memory>
 #include <string>
 #include <string_view>
 #include <unordered_map>
@@ -28,14 +29,26 @@ constexpr std::uint32_t kNoLink = 0;
 /// A file cut into tokens; the last one is always TokenKind::end.
 ///
 /// Links    The `#` of a block directive (#if, #while, #macro ...) holds in `symbol` the index of the `#` of what
-/// follows it
-///          in the same block: #else, #elseif, #case, #range or #end. Skipping text is following links, not reading it.
+///          follows it in the same block: #else, #elseif, #case, #range or #end; kNoLink when the file ends first.
+///          Skipping text is following links, not reading it.
 struct TokenFile {
   const SourceFile* source = nullptr;
   std::vector<Token> tokens;
 };
 
-/// Cuts `source` into tokens. Throws SyntaxError for what cannot be text of a scene, and for a block directive without
+/// Cuts a text into tokens, one at each call. Throws SyntaxError for what cannot be text of a scene.
+class Lexer {
+ public:
+  Lexer(const SourceFile& source, Symbols& symbols);
+  ~Lexer();
+  Token next();  ///< TokenKind::end behind the last
+
+ private:
+  class Pass;
+  std::unique_ptr<Pass> pass_;
+};
+
+/// Cuts `source` into tokens. Throws SyntaxError for what cannot be text of a scene, and for a loop or macro without
 /// #end.
 TokenFile tokenize(const SourceFile& source, Symbols& symbols);
 

@@ -20,11 +20,13 @@ void Interpreter::define_macro(const Token& word, std::uint32_t hash) {
     fail(opening.location, "expected '(' after the macro's name, found " + describe(opening));
   }
   while (!raw_next().is(Punctuation::right_paren)) {
-    const Token& parameter = take_raw();
-    if (parameter.kind != TokenKind::identifier) {
-      fail(parameter.location, "expected the name of a parameter or ')', found " + describe(parameter));
+    const Token* parameter = &take_raw();
+    const bool optional = parameter->text == "optional" && raw_next().kind == TokenKind::identifier;
+    if (optional) parameter = &take_raw();
+    if (parameter->kind != TokenKind::identifier) {
+      fail(parameter->location, "expected the name of a parameter or ')', found " + describe(*parameter));
     }
-    macro->parameters.push_back(parameter.symbol);
+    macro->parameters.push_back({parameter->symbol, optional});
     if (raw_next().is(Punctuation::comma)) take_raw();
   }
   take_raw();
@@ -44,14 +46,18 @@ void Interpreter::call_macro(const Token& name, const std::shared_ptr<const Macr
   take();
   std::vector<Scopes::Slot> arguments;
   arguments.reserve(macro->parameters.size());
-  while (arguments.size() < macro->parameters.size()) {
-    if (peek().is(Punctuation::right_paren)) {
-      fail(peek().location, "expected " + std::to_string(macro->parameters.size()) + " arguments for the macro '" +
-                                std::string(name.text) + "', found " + std::to_string(arguments.size()));
+  for (const Macro::Parameter& parameter : macro->parameters) {
+    if (parameter.optional && next_is_left_out()) {
+      arguments.emplace_back();
+    } else {
+      if (peek().is(Punctuation::right_paren)) {
+        fail(peek().location, "expected " + std::to_string(macro->parameters.size()) + " arguments for the macro '" +
+                                  std::string(name.text) + "', found " + std::to_string(arguments.size()));
+      }
+      Argument argument = parse_argument(true);
+      arguments.push_back(argument.reference ? std::move(argument.reference)
+                                             : std::make_shared<Value>(std::move(argument.value)));
     }
-    Argument argument = parse_argument(true);
-    arguments.push_back(argument.reference ? std::move(argument.reference)
-                                           : std::make_shared<Value>(std::move(argument.value)));
     if (peek().is(Punctuation::comma)) take();
   }
   expect(Punctuation::right_paren, "to close the arguments of", name.text);
@@ -62,7 +68,9 @@ void Interpreter::call_macro(const Token& name, const std::shared_ptr<const Macr
   frame.macro = macro;
   frame.call = name.location;
   enter_frame(std::move(frame));
-  for (std::size_t i = 0; i < arguments.size(); ++i) scopes_.bind(macro->parameters[i], std::move(arguments[i]));
+  for (std::size_t i = 0; i < arguments.size(); ++i) {
+    if (arguments[i]) scopes_.bind(macro->parameters[i].symbol, std::move(arguments[i]));
+  }
 }
 
 }  // namespace firstlight::parser

@@ -33,10 +33,14 @@ bool is_file(const fs::path& path) {
   return fs::is_regular_file(path, error);
 }
 
-// The names an include may go by: POV-Ray appends the extension where it is absent.
-std::vector<std::string> candidate_names(const std::string& name) {
-  if (fs::path(name).has_extension()) return {name};
-  return {name + ".inc", name + ".INC", name};
+// The names a file may go by: POV-Ray appends the extension where it is absent.
+std::vector<std::string> candidate_names(const std::string& name, const std::vector<std::string>& extensions) {
+  std::vector<std::string> names;
+  if (!fs::path(name).has_extension()) {
+    for (const std::string& extension : extensions) names.push_back(name + extension);
+  }
+  names.push_back(name);
+  return names;
 }
 
 // `relative` below `folder`, each part of it in whatever case it exists there; empty when there is none.
@@ -99,39 +103,68 @@ SourceFiles::Result SourceFiles::read_scene(const std::string& path, const std::
   folders_.push_back(resolved(fs::absolute(path, error)).parent_path());
   for (const std::string& folder : library_paths) folders_.push_back(resolved(folder));
   for (const char* folder : kStandardIncludeFolders) folders_.push_back(resolved(folder));
+  if (permissions_.empty()) {
+    permissions_.push_back(Permissions::built_in(Permissions::places()));
+    for (const fs::path& folder : folders_) permissions_.back().allow_reading(folder);
+  }
   if (!fs::exists(path, error)) return {Status::missing, nullptr, path, false};
   return read(path, path);
 }
 
 SourceFiles::Result SourceFiles::read_include(const std::string& name, const SourceFile& from) {
-  const Found found = find(name, from);
-  if (found.path.empty()) return {Status::missing, nullptr, name, false};
-  if (!may_read(resolved(found.path))) return {Status::forbidden, nullptr, found.path.string(), false};
-  Result result = read(found.path, found.path.lexically_normal().string());
+  return read_found(find_file(name, {".inc", ".INC"}, from));
+}
+
+SourceFiles::Result SourceFiles::read_data(const std::string& name, const SourceFile& from) {
+  return read_found(find_file(name, {}, from));
+}
+
+SourceFiles::Result SourceFiles::read_found(Result found) {
+  if (found.status != Status::found) return found;
+  Result result = read(found.path, found.path);
   result.other_case = found.other_case;
   return result;
 }
 
-bool SourceFiles::exists(const std::string& name, const SourceFile& from) const {
-  const Found found = find(name, from);
-  return !found.path.empty() && may_read(resolved(found.path));
+SourceFiles::Result SourceFiles::find_file(const std::string& name, const std::vector<std::string>& extensions,
+                                           const SourceFile& from) const {
+  if (name.empty() || name.find('\0') != std::string::npos) return {Status::missing, nullptr, name, false};
+  const Found found = find(candidate_names(name, extensions), from);
+  if (found.path.empty()) return {Status::missing, nullptr, name, false};
+  const bool allowed = may_read(resolved(found.path));
+  return {allowed ? Status::found : Status::forbidden, nullptr, found.path.lexically_normal().string(),
+          found.other_case};
 }
 
-SourceFiles::Found SourceFiles::find(const std::string& name, const SourceFile& from) const {
-  if (name.empty() || name.find('\0') != std::string::npos) return {};
+SourceFiles::Result SourceFiles::place_for_writing(const std::string& name) const {
+  const bool is_name = !name.empty() && name.find('\0') == std::string::npos;
+  const fs::path path = is_name ? resolved(folders_.front() / name) : fs::path();
+  const bool allowed = !path.empty() && path.has_filename() &&
+                       std::all_of(permissions_.begin(), permissions_.end(),
+                                   [&](const Permissions& permissions) { return permissions.may_write(path); });
+  return {allowed ? Status::found : Status::forbidden, nullptr, path.empty() ? name : path.string(), false};
+}
+
+void SourceFiles::forget(const fs::path& canonical) {
+  for (const auto& file : files_) {
+    if (file->path == canonical) file->path.clear();
+  }
+}
+
+SourceFiles::Found SourceFiles::find(const std::vector<std::string>& names, const SourceFile& from) const {
   // The current directory's files keep the name they were asked for, which makes for short messages.
   std::vector<fs::path> folders = {fs::path()};
   folders.insert(folders.end(), folders_.begin() + 1, folders_.end());
   folders.insert(folders.begin() + 2, from.path.parent_path());
   for (const fs::path& folder : folders) {
-    for (const std::string& candidate : candidate_names(name)) {
-      if (is_file(folder / candidate)) return {folder / candidate, false};
+    for (const std::string& name : names) {
+      if (is_file(folder / name)) return {folder / name, false};
     }
   }
-  if (fs::path(name).is_absolute()) return {};
+  if (fs::path(names.front()).is_absolute()) return {};
   for (const fs::path& folder : folders) {
-    for (const std::string& candidate : candidate_names(name)) {
-      const fs::path found = find_ignoring_case(folder.empty() ? fs::path(".") : folder, candidate);
+    for (const std::string& name : names) {
+      const fs::path found = find_ignoring_case(folder.empty() ? fs::path(".") : folder, name);
       if (!found.empty() && is_file(found)) return {found, true};
     }
   }
@@ -139,11 +172,8 @@ SourceFiles::Found SourceFiles::find(const std::string& name, const SourceFile& 
 }
 
 bool SourceFiles::may_read(const fs::path& path) const {
-  return std::any_of(folders_.begin(), folders_.end(), [&](const fs::path& folder) {
-    if (folder.empty()) return false;
-    const auto [in_folder, in_path] = std::mismatch(folder.begin(), folder.end(), path.begin(), path.end());
-    return in_folder == folder.end();
-  });
+  return std::all_of(permissions_.begin(), permissions_.end(),
+                     [&](const Permissions& permissions) { return permissions.may_read(path); });
 }
 
 SourceFiles::Result SourceFiles::read(const fs::path& path, std::string name) {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "parser/permissions.h"
 #include "parser/token.h"
 #include "render/scene/diagnostic.h"
 
@@ -7,6 +8,7 @@
 #include <memory>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 namespace firstlight::parser {
@@ -30,9 +32,8 @@ render::Diagnostic diagnostic_at(const SourceFile& file, const Location& locatio
 /// Finds and reads the files a scene is made of, each once.
 ///
 /// Order    A relative name is looked for in the current directory, the scene's folder, the including file's folder,
-/// the
-///          library paths, the standard include folders [POV-Ray 3.7 asks the current directory first too].
-/// Limits   Only regular files of at most kLargestFile bytes under one of those folders are read: a scene is untrusted.
+///          the library paths, the standard include folders [POV-Ray 3.7 asks the current directory first too].
+/// Limits   Only regular files of at most kLargestFile bytes that the permissions allow: a scene is untrusted.
 class SourceFiles {
  public:
   static constexpr std::uintmax_t kLargestFile = 64u << 20;
@@ -40,16 +41,24 @@ class SourceFiles {
   enum class Status { found, missing, forbidden, too_large, unreadable };
   struct Result {
     Status status = Status::missing;
-    const SourceFile* file = nullptr;  ///< of `found`
+    const SourceFile* file = nullptr;  ///< of `found`, when it was read
     std::string path;                  ///< what was tried last, for messages
     bool other_case = false;           ///< found only by ignoring the case of letters
   };
 
-  /// The scene itself may lie anywhere; its folder becomes readable.
+  /// Permissions of .conf files, each of which must allow a file. Without any the built-in ones hold, and a scene may
+  /// read the folders that its files are looked for in.
+  void restrict_to(std::vector<Permissions> permissions) { permissions_ = std::move(permissions); }
+  /// The scene itself may lie anywhere.
   Result read_scene(const std::string& path, const std::vector<std::string>& library_paths);
   Result read_include(const std::string& name, const SourceFile& from);
-  /// Whether an include of that name would be found.
-  bool exists(const std::string& name, const SourceFile& from) const;
+  Result read_data(const std::string& name, const SourceFile& from);
+  /// The path of a file that others read; it may lack one of the extensions.
+  Result find_file(const std::string& name, const std::vector<std::string>& extensions, const SourceFile& from) const;
+  /// The canonical path of a file that may be written.
+  Result place_for_writing(const std::string& name) const;
+  /// The file at that path has changed: read it anew when it is asked for again.
+  void forget(const std::filesystem::path& canonical);
   const SourceFile& file(std::uint32_t index) const { return *files_[index]; }
 
  private:
@@ -57,11 +66,13 @@ class SourceFiles {
     std::filesystem::path path;
     bool other_case = false;
   };
-  Found find(const std::string& name, const SourceFile& from) const;
+  Found find(const std::vector<std::string>& names, const SourceFile& from) const;
   bool may_read(const std::filesystem::path& canonical) const;
+  Result read_found(Result found);
   Result read(const std::filesystem::path& path, std::string name);
 
   std::vector<std::filesystem::path> folders_;  ///< searched in this order; the first is the current directory
+  std::vector<Permissions> permissions_;
   std::vector<std::unique_ptr<SourceFile>> files_;
 };
 

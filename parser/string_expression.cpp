@@ -36,37 +36,6 @@ std::string encode(unsigned code) {
   return {static_cast<char>(0xe0 | (code >> 12)), part(6), part(0)};
 }
 
-// A literal with its escapes replaced.
-std::string unescape(Interpreter& in, const Token& literal) {
-  const std::string_view raw = literal.text;
-  if (raw.find('\\') == std::string_view::npos) return std::string(raw);
-  std::string result;
-  for (std::size_t i = 0; i < raw.size(); ++i) {
-    if (raw[i] != '\\' || i + 1 == raw.size()) {
-      result += raw[i];
-      continue;
-    }
-    const char kind = raw[++i];
-    constexpr std::string_view kLetters = "abfnrtv\\'\"";
-    constexpr std::string_view kMeanings = "\a\b\f\n\r\t\v\\'\"";
-    const std::size_t known = kLetters.find(kind);
-    if (known != std::string_view::npos) {
-      result += kMeanings[known];
-    } else if (kind == 'u' && i + 4 < raw.size()) {
-      unsigned code = 0;
-      const char* digits = raw.data() + i + 1;
-      if (std::from_chars(digits, digits + 4, code, 16).ptr != digits + 4) {
-        in.fail(literal.location, "expected four hexadecimal digits after '\\u' in this string");
-      }
-      result += encode(code);
-      i += 4;
-    } else {
-      in.fail(literal.location, std::string("'\\") + kind + "' is no escape sequence of strings");
-    }
-  }
-  return result;
-}
-
 int whole(double value) { return static_cast<int>(std::clamp(value, -1e6, 1e6)); }
 
 void comma(Interpreter& in) {
@@ -205,6 +174,36 @@ std::string parse_string_function(Interpreter& in, const Token& word) {
 }
 
 }  // namespace
+
+std::string unescape(Interpreter& in, const Token& literal) {
+  const std::string_view raw = literal.text;
+  if (raw.find('\\') == std::string_view::npos) return std::string(raw);
+  std::string result;
+  for (std::size_t i = 0; i < raw.size(); ++i) {
+    if (raw[i] != '\\' || i + 1 == raw.size()) {
+      result += raw[i];
+      continue;
+    }
+    const char kind = raw[++i];
+    constexpr std::string_view kLetters = "abfnrtv\\'\"";
+    constexpr std::string_view kMeanings = "\a\b\f\n\r\t\v\\'\"";
+    const std::size_t known = kLetters.find(kind);
+    if (known != std::string_view::npos) {
+      result += kMeanings[known];
+    } else if (kind == 'u' && i + 4 < raw.size()) {
+      unsigned code = 0;
+      const char* digits = raw.data() + i + 1;
+      if (std::from_chars(digits, digits + 4, code, 16).ptr != digits + 4) {
+        in.fail(literal.location, "expected four hexadecimal digits after '\\u' in this string");
+      }
+      result += encode(code);
+      i += 4;
+    } else {
+      in.fail(literal.location, std::string("'\\") + kind + "' is no escape sequence of strings");
+    }
+  }
+  return result;
+}
 
 bool at_string(Interpreter& in) {
   const Token& token = in.peek();

@@ -1,5 +1,7 @@
 #pragma once
 
+#include "parser/token.h"
+
 #include <string>
 
 namespace firstlight::parser {
@@ -11,6 +13,8 @@ class Interpreter;
 /// Whether a string expression begins here: a literal, a string function, or an identifier that holds a string.
 bool at_string(Interpreter& in);
 std::string parse_string(Interpreter& in);
+/// Contents of a string literal, its escapes replaced.
+std::string unescape(Interpreter& in, const Token& literal);
 /// Characters in `text`.
 std::size_t length_of(const std::string& text);
 /// The code of the first character, 0 for an empty string.

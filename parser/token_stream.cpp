@@ -75,8 +75,8 @@ bool TokenStream::settle_name(const Token& name) {
         call_macro(name, std::shared_ptr<const Macro>(*macro));
         return false;
       }
-    } else if (std::holds_alternative<std::shared_ptr<Array>>(*value) && raw_next().is(Punctuation::left_bracket)) {
-      next_element_ = pick_element(Scopes::Slot(binding->slot), name, false);
+    } else if (picks_part(*value, raw_next())) {
+      next_element_ = pick_part(Scopes::Slot(binding->slot), name, Pick::value);
       value = next_element_.get();
     }
   }
@@ -140,6 +140,16 @@ Scopes::Binding TokenStream::take_binding() {
   pending_ = false;
   ++taken_;
   return result;
+}
+
+bool TokenStream::next_is_word(std::string_view word) {
+  return peek().kind == TokenKind::identifier && next_value_ == nullptr && next_->text == word;
+}
+
+bool TokenStream::accept_word(std::string_view word) {
+  if (!next_is_word(word)) return false;
+  take_binding();
+  return true;
 }
 
 const Token& TokenStream::take_raw() {

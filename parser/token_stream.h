@@ -11,6 +11,7 @@
 #include <map>
 #include <memory>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace firstlight::parser {
@@ -47,6 +48,10 @@ class TokenStream {
   Scopes::Binding peek_binding() const;
   /// Takes that name, whatever it is declared as.
   Scopes::Binding take_binding();
+  /// A word of the language after 3.7, which is reserved only where nothing has that name: whether it is next; takes
+  /// it.
+  bool next_is_word(std::string_view word);
+  bool accept_word(std::string_view word);
   /// Tokens taken so far; tells whether an expression was a single name.
   std::uint64_t taken() const { return taken_; }
   /// Takes `mark`; the message says "expected ')' `purpose` 'name', found ...".
@@ -132,8 +137,10 @@ class TokenStream {
   virtual void run_directive() = 0;
   /// At a macro's name, which has been passed.
   virtual void call_macro(const Token& name, const std::shared_ptr<const Macro>& macro) = 0;
-  /// The slot of the element that the subscripts behind `name` pick.
-  virtual Scopes::Slot pick_element(const Scopes::Slot& array, const Token& name, bool may_be_empty) = 0;
+  /// What a part of an array or a dictionary is picked for: to be read, to be written, or to see whether it is there.
+  enum class Pick { value, target, test };
+  /// The slot of the part that the subscripts and keys behind `name` pick.
+  virtual Scopes::Slot pick_part(const Scopes::Slot& container, const Token& name, Pick purpose) = 0;
 
   /// Fails when the token that peek() gave is a name whose value cannot be rendered.
   void refuse_unsupported();
@@ -166,7 +173,7 @@ class TokenStream {
   const Token* next_ = nullptr;
   std::uint32_t next_index_ = 0;
   const Value* next_value_ = nullptr;
-  Scopes::Slot next_element_;  // when it is an element of an array
+  Scopes::Slot next_element_;  // when it is a part of an array or a dictionary
   bool settled_ = false;
   bool pending_ = false;
   HoldState hold_;

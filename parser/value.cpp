@@ -1,5 +1,6 @@
 #include "parser/value.h"
 
+#include <algorithm>
 #include <array>
 
 namespace firstlight::parser {
@@ -12,7 +13,7 @@ std::string_view kind_name(const Value& value) {
   }
   static constexpr auto kNames = std::to_array<std::string_view>(
       {"empty array element", "number", "string", "array", "macro", "object", "texture", "pigment", "finish",
-       "interior", "material", "color_map", "camera", "transform", "unsupported value"});
+       "interior", "material", "color_map", "camera", "transform", "unsupported value", "dictionary", "file"});
   static_assert(kNames.size() == std::variant_size_v<Value>);
   return kNames[value.index()];
 }
@@ -22,14 +23,41 @@ std::size_t kind_of(const Value& value) {
   return numbers ? std::variant_size_v<Value> + numbers->size : value.index();
 }
 
-Value copy_of(const Value& value) {
-  const auto* array = std::get_if<std::shared_ptr<Array>>(&value);
-  if (array == nullptr) return value;
-  auto copy = std::make_shared<Array>(**array);
-  if (copy->depth > 1) {
-    for (Value& element : copy->elements) element = copy_of(element);
+bool picks_part(const Value& value, const Token& next) {
+  const bool bracket = next.is(Punctuation::left_bracket);
+  if (std::holds_alternative<std::shared_ptr<Array>>(value)) return bracket;
+  return std::holds_alternative<std::shared_ptr<Dictionary>>(value) && (bracket || next.is(Punctuation::period));
+}
+
+std::uint32_t depth_of(const Value& value) {
+  std::uint32_t deepest = 0;
+  if (const auto* array = std::get_if<std::shared_ptr<Array>>(&value)) {
+    for (const Value& element : (*array)->elements) deepest = std::max(deepest, depth_of(element));
+    return deepest + 1;
   }
-  return copy;
+  if (const auto* dictionary = std::get_if<std::shared_ptr<Dictionary>>(&value)) {
+    for (const auto& [key, entry] : (*dictionary)->entries) deepest = std::max(deepest, depth_of(*entry));
+    return deepest + 1;
+  }
+  return 0;
+}
+
+Value copy_of(const Value& value) {
+  if (const auto* array = std::get_if<std::shared_ptr<Array>>(&value)) {
+    auto copy = std::make_shared<Array>(**array);
+    for (Value& element : copy->elements) {
+      if (depth_of(element) > 0) element = copy_of(element);
+    }
+    return copy;
+  }
+  if (const auto* dictionary = std::get_if<std::shared_ptr<Dictionary>>(&value)) {
+    auto copy = std::make_shared<Dictionary>();
+    for (const auto& [key, entry] : (*dictionary)->entries) {
+      copy->entries.emplace(key, std::make_shared<Value>(copy_of(*entry)));
+    }
+    return copy;
+  }
+  return value;
 }
 
 }  // namespace firstlight::parser

@@ -9,6 +9,9 @@
 
 #include <array>
 #include <cstdint>
+#include <deque>
+#include <functional>
+#include <map>
 #include <memory>
 #include <string>
 #include <string_view>
@@ -18,6 +21,8 @@
 namespace firstlight::parser {
 
 struct Array;
+class DataFile;
+struct Dictionary;
 struct Macro;
 struct TokenFile;
 struct Unsupported;
@@ -53,21 +58,34 @@ using Value = std::variant<std::monostate,                            // declare
                            std::shared_ptr<const render::ColorMap>,   // color_map
                            std::shared_ptr<const render::Camera>,     // camera
                            std::shared_ptr<const render::Transform>,  // transform
-                           std::shared_ptr<const Unsupported>>;       // what cannot be rendered
+                           std::shared_ptr<const Unsupported>,        // what cannot be rendered
+                           std::shared_ptr<Dictionary>,               // dictionary
+                           std::shared_ptr<DataFile>>;                // what #fopen opens
 
 /// `array [2][3]`: elements in the order of the text; std::monostate where nothing has been stored. All elements are of
-/// one kind, that of the first one stored.
+/// one kind, that of the first one stored, unless the array is mixed. One without sizes grows as it is written to.
+/// Memory   Elements stay where they are when it grows: there may be references to them.
 struct Array {
   std::vector<std::uint32_t> sizes;
-  std::vector<Value> elements;
-  std::size_t kind = 0;     ///< kind_of() its elements; 0 until the first is stored
-  std::uint32_t depth = 1;  ///< 1, or more for arrays of arrays
+  std::deque<Value> elements;
+  bool mixed = false;
+  bool grows = false;    ///< then it has one dimension
+  std::size_t kind = 0;  ///< kind_of() its elements; 0 until the first is stored
+};
+
+/// `dictionary { .Key: value }`, of the language after 3.7. Entries stay where they are, for there may be references.
+struct Dictionary {
+  std::map<std::string, std::shared_ptr<Value>, std::less<>> entries;
 };
 
 /// `#macro Name(A, B) ... #end`: the tokens between, to be read again at each call.
 struct Macro {
   std::string_view name;
-  std::vector<std::uint32_t> parameters;  ///< symbols
+  struct Parameter {
+    std::uint32_t symbol = 0;
+    bool optional = false;  ///< may be left out; then the name means what it means outside
+  };
+  std::vector<Parameter> parameters;
   const TokenFile* file = nullptr;
   std::uint32_t begin = 0, end = 0;  ///< into the file's tokens
 };
@@ -79,6 +97,10 @@ struct Unsupported {
   std::string why;  ///< the message
 };
 
+/// Whether `next` behind a name with this value picks a part of it: `Array[1]`, `Dictionary.Key`.
+bool picks_part(const Value& value, const Token& next);
+/// How deeply arrays and dictionaries are nested in it: 0 when it is none.
+std::uint32_t depth_of(const Value& value);
 /// A copy that shares nothing that can be changed.
 Value copy_of(const Value& value);
 /// Number that tells kinds of value apart, numbers by their count.

@@ -22,6 +22,9 @@ struct LoadOptions {
   std::vector<std::string> library_paths;  ///< searched for included files after the scene's own folder
   std::vector<std::pair<std::string, std::string>>
       declares;  ///< identifiers set before the scene is read (name, number)
+  /// Files in the syntax of povray.conf, each of which must permit what a scene reads and writes. None: what a plain
+  /// installation permits.
+  std::vector<std::string> permission_files;
   double clock = 0.0;
   bool parse_only = false;  ///< what cannot be rendered is listed in the summary, not refused
   /// Called for every diagnostic as it arises; may be empty. The result holds them all the same.
@@ -54,7 +57,7 @@ class FrontEnd {
 };
 
 /// A loadable module exports these two C symbols; the host refuses a module of another ABI version.
-constexpr int kFrontEndAbi = 2;
+constexpr int kFrontEndAbi = 3;
 constexpr const char* kFrontEndAbiSymbol = "firstlight_front_end_abi";  ///< int firstlight_front_end_abi()
 constexpr const char* kFrontEndSymbol =
     "firstlight_front_end";  ///< const FrontEnd* firstlight_front_end(); lives as long as the module

@@ -97,9 +97,6 @@ TEST(Message, ErrorStopsTheScene) {
 TEST(Message, WarningGoesOn) {
   EXPECT_EQ(messages(load("#warning \"careful\" sphere { 0, 1 }"), render::Diagnostic::Severity::warning), "careful\n");
 }
-TEST(Directive, FilesOfUsersAreNotSupported) {
-  EXPECT_EQ(debugged("#fopen F \"x\" write"), "error: '#fopen' is not supported by this version of Firstlight");
-}
 TEST(Directive, AMisspeltOneIsAnError) {
   EXPECT_EQ(debugged("#delcare A = 1;"), "error: expected a directive after '#', found 'delcare'");
 }

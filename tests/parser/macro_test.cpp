@@ -102,7 +102,7 @@ TEST(Limit, AGrowingStringIsAnError) {
 }
 TEST(Limit, ArraysInArraysAreBounded) {
   EXPECT_EQ(debugged("#declare A = array[1] {1} #while (1) #declare A = array[1] {A} #end"),
-            "error: arrays are nested too deeply here (limit 20)");
+            "error: arrays and dictionaries are nested too deeply here (limit 20)");
 }
 
 }  // namespace

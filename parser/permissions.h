@@ -1,0 +1,50 @@
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace firstlight::parser {
+
+/// Which files a scene may read and write.
+///
+/// Source   POV-Ray 3.7's I/O restrictions and the syntax of its povray.conf: sections [File I/O Security] and
+///          [Permitted Paths], entries `read`, `read*`, `read+write`, `read+write*`, places %INSTALLDIR%, %HOME%,
+///          %CWD%.
+/// Order    Paths that are asked for are canonical: symbolic links and `..` are resolved before.
+class Permissions {
+ public:
+  /// What stands for the places that a .conf names.
+  struct Places {
+    std::filesystem::path install, home, working;
+  };
+  /// Where this process finds them.
+  static Places places();
+
+  /// What holds when nobody says anything else: reading where POV-Ray's Debian package lets a scene read; writing in
+  /// the working folder and below.
+  static Permissions built_in(const Places& places);
+  /// `text` of a .conf file; what it says that has no meaning goes to `problems` as "line 3: ...".
+  static Permissions parse(std::string_view text, const Places& places, std::vector<std::string>& problems);
+
+  void allow_reading(const std::filesystem::path& folder) { rules_.push_back({canonical(folder), true, false}); }
+  bool may_read(const std::filesystem::path& path) const;
+  bool may_write(const std::filesystem::path& path) const;
+
+ private:
+  enum class Security { none, read_only, restricted };
+  struct Rule {
+    std::filesystem::path folder;  // canonical
+    bool below = false;            // holds for the folders in it too
+    bool write = false;
+  };
+  static std::filesystem::path canonical(const std::filesystem::path& path);
+  bool matches(const std::filesystem::path& path, bool write) const;
+  bool parse_rule(std::string_view line, const Places& places);
+
+  Security security_ = Security::restricted;
+  std::vector<Rule> rules_;
+};
+
+}  // namespace firstlight::parser
