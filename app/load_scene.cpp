@@ -6,7 +6,8 @@
 
 namespace firstlight::app {
 
-render::LoadResult load_scene(const Options& options, const render::FrontEnd& front_end, ProgressLine& line) {
+render::LoadResult load_scene(const Options& options, const render::FrontEnd& front_end, ProgressLine& line,
+                              const std::atomic<bool>* stop) {
   render::LoadOptions load;
   load.width = options.width;
   load.height = options.height;
@@ -22,6 +23,11 @@ render::LoadResult load_scene(const Options& options, const render::FrontEnd& fr
     fmt::print(stderr, "{}\n", render::format(diagnostic));
   };
   load.report = show;
+  load.stop = stop;
+  load.progress = [&](const render::ParseProgress& progress) {
+    line.stage(fmt::format("reading {}:{}, {} words, {} objects", progress.file, progress.line,
+                           short_count(progress.tokens), short_count(progress.objects)));
+  };
   render::LoadResult result = front_end.load(options.scene, load);
   // A front end of another making may not report as it reads.
   for (std::size_t i = shown; i < result.diagnostics.size(); ++i) show(result.diagnostics[i]);

@@ -13,7 +13,6 @@
 #include <cstdint>
 #include <filesystem>
 #include <limits>
-#include <numeric>
 
 namespace firstlight::app {
 namespace {
@@ -96,30 +95,6 @@ std::string help_text() {
   text += fmt::format("\nBoosts:\n{}", boost_help());
   text += fmt::format("\nWhile it renders, on a terminal:\n{}", keys_help());
   return text;
-}
-
-std::string nearest(const std::string& word, const std::vector<std::string>& known) {
-  std::string best;
-  std::size_t fewest = std::max<std::size_t>(1, (word.size() + 1) / 3) + 1;
-  for (const std::string& candidate : known) {
-    // Edit distance, one row at a time.
-    std::vector<std::size_t> row(candidate.size() + 1);
-    std::iota(row.begin(), row.end(), std::size_t{0});
-    for (std::size_t i = 1; i <= word.size(); ++i) {
-      std::size_t diagonal = row[0];
-      row[0] = i;
-      for (std::size_t j = 1; j <= candidate.size(); ++j) {
-        const std::size_t replaced = diagonal + (word[i - 1] == candidate[j - 1] ? 0 : 1);
-        diagonal = row[j];
-        row[j] = std::min({replaced, row[j] + 1, row[j - 1] + 1});
-      }
-    }
-    if (row.back() < fewest) {
-      fewest = row.back();
-      best = candidate;
-    }
-  }
-  return best;
 }
 
 std::string_view extension_of(char file_type) {

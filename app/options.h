@@ -1,6 +1,7 @@
 #pragma once
 
 #include "render/film/antialias_settings.h"
+#include "render/scene/nearest.h"
 
 #include <cstddef>
 #include <optional>
@@ -58,8 +59,7 @@ CommandLine parse_command_line(std::span<const std::string> arguments);
 
 std::string help_text();
 
-/// The member of `known` that is fewest edits away from `word`, empty when none is near.
-std::string nearest(const std::string& word, const std::vector<std::string>& known);
+using render::nearest;
 
 /// Extension, with its dot, of the files of a type given by POV-Ray's letter; empty when there is no such type.
 std::string_view extension_of(char file_type);

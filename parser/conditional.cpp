@@ -137,7 +137,7 @@ void Interpreter::run_further_branch(const Token& word, std::uint32_t hash) {
     if (!word.is(Keyword::else_)) case_applies(word.keyword, 0.0);
     return check_same_frame(frames, word);
   }
-  fail(word.location, of_if ? hash_word(word) + " without '#if'" : hash_word(word) + " without '#switch'");
+  fail_unbalanced(word.location, of_if ? hash_word(word) + " without '#if'" : hash_word(word) + " without '#switch'");
 }
 
 bool Interpreter::case_applies(Keyword word, double value) {
@@ -220,7 +220,7 @@ bool Interpreter::for_continues(const Condition& loop) const {
 void Interpreter::run_end(const Token& word, std::uint32_t hash) {
   const bool of_choice = in_choice(Condition::Kind::if_) || in_choice(Condition::Kind::switch_);
   if (!in_block() && !of_choice) {
-    fail(word.location, "'#end' without '#if', '#switch', '#while', '#for' or '#macro'");
+    fail_unbalanced(word.location, "'#end' without '#if', '#switch', '#while', '#for' or '#macro'");
   }
   Condition& block = conditions_.back();
   const bool is_loop = block.kind == Condition::Kind::while_ || block.kind == Condition::Kind::for_;

@@ -95,11 +95,17 @@ void Interpreter::run_declare(const Token& word, bool after_hash) {
 }
 
 void Interpreter::check_semicolon(const Target& target, const Token& word) {
-  if (peek().is(Punctuation::semicolon)) return;
+  if (peek().is(Punctuation::semicolon) || language_version() < 310) return;
+  const Location& next = peek().location;
   const std::string message =
       "expected ';' after the value of '" + std::string(target.name.text) + "', found " + describe_next();
-  if (language_version() >= 350) fail(peek().location, message, word.location, "the declaration is here");
-  if (language_version() >= 310) warn(peek().location, message);
+  // What is missing belongs behind the value, if that ends on a line of the same file.
+  const Location end = behind_last_token();
+  const Location& at = end.file == next.file ? end : next;
+  if (language_version() < 350) return warn(at, message);
+  SyntaxError error = error_at(at, message);
+  error.diagnostics.push_back(diagnostic(word.location, render::Diagnostic::Severity::note, "the declaration is here"));
+  report_mistake(error);  // and reading goes on as if it were there
 }
 
 void Interpreter::store(const Target& target, Value value) {

@@ -117,8 +117,8 @@ const TokenFile& Interpreter::tokens_of(const SourceFile& file) {
 
 void Interpreter::count_step(const Location& at) {
   if (++steps_ > kMostSteps) {
-    fail(at,
-         "this scene turns in loops or macros without end (limit " + std::to_string(kMostSteps) + " turns and calls)");
+    fail_finally(at, "this scene turns in loops or macros without end (limit " + std::to_string(kMostSteps) +
+                         " turns and calls)");
   }
 }
 
@@ -184,7 +184,9 @@ void Interpreter::obey(const Token& word, std::uint32_t hash) {
       break;
   }
   const bool undeclared = word.kind == TokenKind::identifier && scopes_.find(word.symbol) == nullptr;
-  if (undeclared || word.is_end()) fail(word.location, "expected a directive after '#', found " + describe(word));
+  if (undeclared || word.is_end()) {
+    fail(word.location, "expected a directive after '#', found " + describe(word) + suggestion(word.text));
+  }
   // POV-Ray passes over a '#' that begins no directive.
   warn(word.location, "expected a directive after '#', found " + describe(word) + "; the '#' is ignored");
   frames_.back().position = hash + 1;
@@ -228,7 +230,7 @@ void Interpreter::run_message(const Token& word) {
     warn(word.location, "'#" + std::string(word.text) + "' writes where '#debug' does");
   }
   std::string text = parse_string(*this);
-  if (word.is(Keyword::error)) fail(word.location, "stopped by '#error': " + text);
+  if (word.is(Keyword::error)) fail_finally(word.location, "stopped by '#error': " + text);
   report(word.location, std::move(text),
          word.is(Keyword::warning) ? Diagnostic::Severity::warning : Diagnostic::Severity::debug);
 }
@@ -259,7 +261,8 @@ void Interpreter::run_include(const Token& word) {
   std::size_t depth = 0;
   for (const Frame& frame : frames_) depth += frame.macro == nullptr;
   if (depth > kDeepestInclude) {
-    fail(word.location, "included files are nested too deeply here (limit " + std::to_string(kDeepestInclude) + ")");
+    fail_finally(word.location,
+                 "included files are nested too deeply here (limit " + std::to_string(kDeepestInclude) + ")");
   }
   const TokenFile& file = tokens_of(*result.file);
   Frame frame;

@@ -5,11 +5,14 @@
 #include "parser/statements.h"
 #include "parser/token_stream.h"
 
+#include <chrono>
 #include <cstdint>
 #include <memory>
 #include <optional>
+#include <set>
 #include <string>
 #include <string_view>
+#include <tuple>
 #include <vector>
 
 namespace firstlight::parser {
@@ -29,6 +32,8 @@ class Interpreter final : public TokenStream {
   static constexpr std::size_t kDeepestArray = 20;        // of arrays in arrays
   static constexpr std::size_t kLongestString = 1u << 20;
   static constexpr std::uint64_t kMostSteps = 100'000'000;
+  static constexpr std::size_t kMostMistakes = 20;         // told of in one run
+  static constexpr std::size_t kMostFailures = 500;        // with those that follow from others
   static constexpr std::uint64_t kMostWritten = 1u << 30;  // bytes, by all of a scene's #write
 
   Interpreter(const render::LoadOptions& options, render::Diagnostics& diagnostics, SceneContext& context);
@@ -36,6 +41,11 @@ class Interpreter final : public TokenStream {
   void open_scene(const std::string& path);
   /// At the end of the scene: what POV-Ray says about version and gamma, and the settings that follow.
   void finish();
+
+  /// After a mistake in a statement of the scene: tells of it, unless it is only the consequence of another, and goes
+  /// on at the next statement. Throws it again when that is not possible.
+  void recover(const SyntaxError& error);
+  bool has_failed() const { return failures_ > 0; }
 
   // --- what expressions and statements ask for ----------------------------------------------------------------------
   LanguageState& language() { return language_; }
@@ -166,6 +176,16 @@ class Interpreter final : public TokenStream {
   std::optional<Value> parse_datum(DataReader& data);
   double parse_data_number(DataReader& data);
 
+  // recovery.cpp
+  bool is_consequence(const SyntaxError& error) const;
+  void report_mistake(const SyntaxError& error);
+  [[noreturn]] void give_up();
+  std::uint32_t next_statement(std::uint32_t start, std::uint32_t reached) const;
+  bool may_begin_statement(std::uint32_t index) const;
+  void note_broken_names(std::uint32_t begin, std::uint32_t end);
+  // progress.cpp
+  void look_around() override;
+
   SceneContext& context_;
   LanguageState language_;
   RandomStreams random_;
@@ -175,6 +195,14 @@ class Interpreter final : public TokenStream {
   std::vector<std::weak_ptr<DataFile>> written_files_;
   std::uint64_t written_bytes_ = 0;
   std::uint64_t steps_ = 0;
+  // Mistakes so far, and what their consequences are known by.
+  std::size_t mistakes_ = 0, failures_ = 0;
+  bool include_failed_ = false;
+  std::set<std::tuple<std::string, std::size_t, std::size_t>> reported_places_;  // file, line, column
+  std::set<std::uint32_t> broken_names_;
+  // For ParseProgress.
+  using Clock = std::chrono::steady_clock;
+  Clock::time_point began_ = Clock::now(), last_told_ = began_;
 };
 
 }  // namespace firstlight::parser

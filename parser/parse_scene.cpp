@@ -25,6 +25,9 @@ void parse_scene_camera(Reader& reader, SceneContext& context) {
 
 void parse_top_object(Reader& reader, SceneContext& context) {
   const Token at = reader.peek();
+  if (at.is(Punctuation::right_brace)) {
+    reader.interpreter().fail_unbalanced(at.location, "expected an object or a directive, found '}'");
+  }
   auto object = parse_object(reader, context);
   if (!object) reader.fail_expected("an object or a directive");
   context.size += object->size;
@@ -71,7 +74,17 @@ void parse_statement(Reader& reader, SceneContext& context) {
 }  // namespace
 
 void parse_scene(Reader& reader, SceneContext& context) {
-  while (!reader.peek().is_end()) parse_statement(reader, context);
+  Interpreter& interpreter = reader.interpreter();
+  for (bool more = true; more;) {
+    try {
+      interpreter.begin_statement();
+      more = !reader.peek().is_end();
+      if (more) parse_statement(reader, context);
+    } catch (const SyntaxError& error) {
+      interpreter.recover(error);
+    }
+  }
+  if (interpreter.has_failed()) return;
   const Token end = reader.peek();
   if (!context.builder.has_camera()) reader.fail(end, "expected a camera, found none in the whole scene");
   if (context.size == 0) reader.warn(end, "there are no objects in the scene");

@@ -35,6 +35,14 @@ void Scopes::bind(std::uint32_t symbol, Slot slot) {
   symbols_of_scope_.back().push_back(symbol);
 }
 
+std::vector<std::string> Scopes::declared_names(const Symbols& symbols) const {
+  std::vector<std::string> names;
+  for (std::uint32_t symbol = 0; symbol < symbols.size(); ++symbol) {
+    if (find(symbol) != nullptr) names.emplace_back(symbols.name(symbol));
+  }
+  return names;
+}
+
 void Scopes::remove(std::uint32_t symbol) {
   std::vector<Binding>& stack = bindings(symbol);
   if (!stack.empty()) stack.pop_back();

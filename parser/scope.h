@@ -1,9 +1,11 @@
 #pragma once
 
+#include "parser/lexer.h"
 #include "parser/value.h"
 
 #include <cstdint>
 #include <memory>
+#include <string>
 #include <vector>
 
 namespace firstlight::parser {
@@ -40,6 +42,8 @@ class Scopes {
   Slot target(std::uint32_t symbol, bool local);
   /// Binds the name in the current scope, over any other meaning.
   void bind(std::uint32_t symbol, Slot slot);
+  /// All names that have a value.
+  std::vector<std::string> declared_names(const Symbols& symbols) const;
   /// Removes the innermost meaning of the name.
   void remove(std::uint32_t symbol);
 

@@ -1,5 +1,7 @@
 #include "parser/token_stream.h"
 
+#include "render/scene/nearest.h"
+
 #include <utility>
 
 namespace firstlight::parser {
@@ -41,6 +43,7 @@ void TokenStream::settle() {
     }
     const Token& token = frame.file->tokens[frame.position];
     if (token.is(Punctuation::hash) && !is_held()) {
+      note_statement(frame.position);
       const Nesting nesting(*this);
       run_directive();
       // Reading the directive may have shown the token behind it already.
@@ -64,6 +67,7 @@ void TokenStream::settle() {
 // False when the name was a macro's, which has been called.
 bool TokenStream::settle_name(const Token& name) {
   const std::uint32_t index = frames_.back().position++;
+  note_statement(index);
   const Scopes::Binding* binding = scopes_.find(name.symbol);
   const Value* value = nullptr;
   bool is_macro = false;
@@ -100,7 +104,8 @@ const Token& TokenStream::take() {
   refuse_unsupported();
   settled_ = false;
   pending_ = false;
-  ++taken_;
+  last_ = &token;
+  if (++taken_ % kTokensBetweenLooks == 0) look_around();
   count(token.keyword);
   return token;
 }
@@ -138,6 +143,7 @@ Scopes::Binding TokenStream::take_binding() {
   const Scopes::Binding result = peek_binding();
   settled_ = false;
   pending_ = false;
+  last_ = next_;
   ++taken_;
   return result;
 }
@@ -174,8 +180,8 @@ void TokenStream::expect(Punctuation mark, std::string_view purpose, std::string
 void TokenStream::enter_frame(Frame frame) {
   unsettle();
   if (frames_.size() >= kDeepestFrame) {
-    fail(frame.call,
-         "macros and included files are nested too deeply here (limit " + std::to_string(kDeepestFrame) + ")");
+    fail_finally(frame.call,
+                 "macros and included files are nested too deeply here (limit " + std::to_string(kDeepestFrame) + ")");
   }
   if (!frames_.empty()) scopes_.enter();
   frames_.push_back(std::move(frame));
@@ -230,8 +236,30 @@ void TokenStream::close_block() {
 std::string TokenStream::describe_next() {
   const Token& token = peek();
   if (token.kind != TokenKind::identifier) return describe(token);
-  if (next_value_ == nullptr) return "undeclared identifier '" + std::string(token.text) + "'";
+  if (next_value_ == nullptr) {
+    described_undeclared_ = token.symbol;
+    return "undeclared identifier '" + std::string(token.text) + "'" + suggestion(token.text);
+  }
   return std::string(kind_name(*next_value_)) + " '" + std::string(token.text) + "'";
+}
+
+std::string TokenStream::suggestion(std::string_view word) const {
+  std::vector<std::string> known = scopes_.declared_names(symbols_);
+  for (std::size_t i = 1; i < kKeywordCount; ++i) known.emplace_back(spelling(static_cast<Keyword>(i)));
+  const std::string near = render::nearest(word, known);
+  return near.empty() ? std::string() : "; did you mean '" + near + "'?";
+}
+
+void TokenStream::begin_statement() {
+  peek();
+  note_statement(next_index_);
+}
+
+Location TokenStream::behind_last_token() const {
+  Location place = last_->location;
+  place.column += place.length;
+  place.length = 1;
+  return place;
 }
 
 Diagnostic TokenStream::diagnostic(const Location& at, Diagnostic::Severity severity, std::string message) const {
@@ -247,15 +275,36 @@ Diagnostic TokenStream::describe_unrendered(const render::FeatureUse& use) const
   return result;
 }
 
+SyntaxError TokenStream::error_at(const Location& at, std::string message) {
+  SyntaxError error({diagnostic(at, Diagnostic::Severity::error, std::move(message))});
+  error.undeclared = std::exchange(described_undeclared_, kNoSymbol);
+  return error;
+}
+
 void TokenStream::fail(const Location& at, std::string message, bool unsupported) {
-  SyntaxError error({diagnostic(at, Diagnostic::Severity::error, std::move(message))}, unsupported);
+  SyntaxError error = error_at(at, std::move(message));
+  error.unsupported = unsupported;
   add_call_chain(error.diagnostics);
   throw error;
 }
 
 void TokenStream::fail(const Location& at, std::string message, const Location& note_at, std::string note) {
-  SyntaxError error({diagnostic(at, Diagnostic::Severity::error, std::move(message)),
-                     diagnostic(note_at, Diagnostic::Severity::note, std::move(note))});
+  SyntaxError error = error_at(at, std::move(message));
+  error.diagnostics.push_back(diagnostic(note_at, Diagnostic::Severity::note, std::move(note)));
+  add_call_chain(error.diagnostics);
+  throw error;
+}
+
+void TokenStream::fail_finally(const Location& at, std::string message) {
+  SyntaxError error = error_at(at, std::move(message));
+  error.fatal = true;
+  add_call_chain(error.diagnostics);
+  throw error;
+}
+
+void TokenStream::fail_unbalanced(const Location& at, std::string message) {
+  SyntaxError error = error_at(at, std::move(message));
+  error.unbalanced = true;
   add_call_chain(error.diagnostics);
   throw error;
 }
@@ -271,10 +320,15 @@ void TokenStream::add_call_chain(render::Diagnostics& messages) const {
 }
 
 void TokenStream::report(const Location& at, std::string message, Diagnostic::Severity severity) {
+  described_undeclared_ = kNoSymbol;
   if (diagnostics_.size() > kMostDiagnostics) return;
   if (diagnostics_.size() == kMostDiagnostics) message = "further messages are left out";
-  diagnostics_.push_back(diagnostic(at, severity, std::move(message)));
-  if (options_.report) options_.report(diagnostics_.back());
+  report(diagnostic(at, severity, std::move(message)));
+}
+
+void TokenStream::report(const Diagnostic& message) {
+  diagnostics_.push_back(message);
+  if (options_.report) options_.report(message);
 }
 
 }  // namespace firstlight::parser

@@ -103,6 +103,10 @@ class TokenStream {
   // --- messages -----------------------------------------------------------------------------------------------------
   [[noreturn]] void fail(const Location& at, std::string message, bool unsupported = false);
   [[noreturn]] void fail(const Location& at, std::string message, const Location& note_at, std::string note);
+  /// The same about something after which the scene cannot be read on, such as a limit.
+  [[noreturn]] void fail_finally(const Location& at, std::string message);
+  /// The same about an end that has no beginning.
+  [[noreturn]] void fail_unbalanced(const Location& at, std::string message);
   void warn(const Location& at, std::string message) {
     report(at, std::move(message), render::Diagnostic::Severity::warning);
   }
@@ -113,6 +117,10 @@ class TokenStream {
   std::map<std::string, std::uint64_t> keyword_counts() const;
   /// For messages: the token, and why it has no meaning if it is an undeclared name.
   std::string describe_next();
+  /// "; did you mean 'sphere'?", or nothing when no reserved word and no declared name is like `word`.
+  std::string suggestion(std::string_view word) const;
+  /// The next token begins a statement of the scene.
+  void begin_statement();
 
  protected:
   ~TokenStream() = default;
@@ -133,6 +141,14 @@ class TokenStream {
     std::uint32_t scope = 0;
   };
 
+  /// Where the statement at top level begins that is being read.
+  struct StatementStart {
+    std::size_t frames = 0;
+    std::uint32_t position = 0;
+  };
+
+  /// Called now and then: whether to go on.
+  virtual void look_around() = 0;
   /// At `#`: obey the directive. The frame's position is at the `#`.
   virtual void run_directive() = 0;
   /// At a macro's name, which has been passed.
@@ -153,6 +169,11 @@ class TokenStream {
   void leave_frame();
   Checkpoint checkpoint();
   void return_to(const Checkpoint& place);
+  void drop_blocks() { blocks_.clear(); }
+  void report(const render::Diagnostic& message);
+  SyntaxError error_at(const Location& at, std::string message);
+  /// Just behind the token that was taken last.
+  Location behind_last_token() const;
   render::Diagnostic diagnostic(const Location& at, render::Diagnostic::Severity severity, std::string message) const;
 
   const render::LoadOptions& options_;
@@ -162,8 +183,14 @@ class TokenStream {
   Scopes scopes_;
   std::vector<Frame> frames_;
   std::vector<Token> blocks_;  // owners of the open braces
+  StatementStart statement_;
 
  private:
+  static constexpr std::uint64_t kTokensBetweenLooks = 1u << 12;
+
+  void note_statement(std::uint32_t position) {
+    if (nesting_ == 0 && blocks_.empty()) statement_ = {frames_.size(), position};
+  }
   bool is_held() const { return hold_.held && blocks_.size() <= hold_.blocks; }
   void settle();
   bool settle_name(const Token& name);
@@ -179,6 +206,8 @@ class TokenStream {
   HoldState hold_;
   std::size_t nesting_ = 0;
   std::uint64_t taken_ = 0;
+  const Token* last_ = nullptr;  // the token that was taken last
+  std::uint32_t described_undeclared_ = kNoSymbol;
   std::array<std::uint64_t, kKeywordCount> keyword_counts_{};
 };
 

@@ -3,6 +3,7 @@
 #include "render/scene/diagnostic.h"
 #include "render/scene/scene.h"
 
+#include <atomic>
 #include <cstddef>
 #include <cstdint>
 #include <functional>
@@ -14,6 +15,14 @@
 #include <vector>
 
 namespace firstlight::render {
+
+/// How far the reading of a scene has come.
+struct ParseProgress {
+  std::string file;  ///< that is being read
+  std::size_t line = 0;
+  std::uint64_t tokens = 0;   ///< of the scene language, so far
+  std::uint64_t objects = 0;  ///< with their parts
+};
 
 /// What a front end needs to know beside the path.
 struct LoadOptions {
@@ -29,6 +38,10 @@ struct LoadOptions {
   bool parse_only = false;  ///< what cannot be rendered is listed in the summary, not refused
   /// Called for every diagnostic as it arises; may be empty. The result holds them all the same.
   std::function<void(const Diagnostic&)> report;
+  /// Called a few times a second once reading takes longer than one; may be empty.
+  std::function<void(const ParseProgress&)> progress;
+  /// When it becomes true, reading ends soon, with an error that says so. May be null.
+  const std::atomic<bool>* stop = nullptr;
 };
 
 /// What a scene is made of.

@@ -98,7 +98,7 @@ TEST(Message, WarningGoesOn) {
   EXPECT_EQ(messages(load("#warning \"careful\" sphere { 0, 1 }"), render::Diagnostic::Severity::warning), "careful\n");
 }
 TEST(Directive, AMisspeltOneIsAnError) {
-  EXPECT_EQ(debugged("#delcare A = 1;"), "error: expected a directive after '#', found 'delcare'");
+  EXPECT_EQ(debugged("#delcare A = 1;"), "error: expected a directive after '#', found 'delcare'; did you mean 'declare'?");
 }
 
 TEST(Array, KeepsItsValues) {
