@@ -10,6 +10,7 @@ using render::Diagnostic;
 
 namespace {
 
+constexpr std::size_t kShortestSuggestion = 3;    // shorter words are all alike
 constexpr std::size_t kLongestCallChain = 8;      // calls a message tells of
 constexpr std::size_t kMostDiagnostics = 10'000;  // kept of one scene; a loop may warn at every turn
 
@@ -244,6 +245,7 @@ std::string TokenStream::describe_next() {
 }
 
 std::string TokenStream::suggestion(std::string_view word) const {
+  if (word.size() < kShortestSuggestion) return {};
   std::vector<std::string> known = scopes_.declared_names(symbols_);
   for (std::size_t i = 1; i < kKeywordCount; ++i) known.emplace_back(spelling(static_cast<Keyword>(i)));
   const std::string near = render::nearest(word, known);

@@ -2,25 +2,27 @@
 
 #include <algorithm>
 #include <cctype>
-#include <numeric>
 
 namespace firstlight::render {
 
 namespace {
 
-// Twice the number of edits; letters of another case are half an edit.
+// Twice the number of edits: letters that are put in, left out, replaced, or swapped with their neighbour. A letter of
+// another case is half an edit.
 std::size_t distance(std::string_view a, std::string_view b) {
-  std::vector<std::size_t> row(b.size() + 1);
+  std::vector<std::size_t> row(b.size() + 1), above(row), above_that(row);
   for (std::size_t j = 0; j < row.size(); ++j) row[j] = 2 * j;
   for (std::size_t i = 1; i <= a.size(); ++i) {
-    std::size_t diagonal = row[0];
+    above_that.swap(above);
+    above.swap(row);
     row[0] = 2 * i;
     for (std::size_t j = 1; j <= b.size(); ++j) {
       const char x = a[i - 1], y = b[j - 1];
       const bool alike = std::tolower(static_cast<unsigned char>(x)) == std::tolower(static_cast<unsigned char>(y));
-      const std::size_t replaced = diagonal + (x == y ? 0u : alike ? 1u : 2u);
-      diagonal = row[j];
-      row[j] = std::min({replaced, row[j] + 2, row[j - 1] + 2});
+      const std::size_t replaced = above[j - 1] + (x == y ? 0u : alike ? 1u : 2u);
+      row[j] = std::min({replaced, above[j] + 2, row[j - 1] + 2});
+      const bool swapped = i > 1 && j > 1 && x == b[j - 2] && a[i - 2] == y;
+      if (swapped) row[j] = std::min(row[j], above_that[j - 2] + 2);
     }
   }
   return row.back();
