@@ -5,6 +5,7 @@
 #include "priority/driver.h"
 
 #include <fmt/format.h>
+#include <CLI/CLI.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -41,16 +42,18 @@ std::size_t queue_memory(const std::string& text) {
 
 }  // namespace
 
-LongOptions::LongOptions(CommandLine& out) : out_(out) {
+LongOptions::LongOptions(CommandLine& out)
+    : out_(out),
+      app_(std::make_unique<CLI::App>("Renders a POV-Ray scene, the rays that matter most first.", "firstlight")) {
   Options& options = out.options;
   const auto text = [&](const char* name, std::string& target, const char* meaning, const char* type) {
-    app_.add_option(name, target, meaning)->type_name(type)->multi_option_policy(CLI::MultiOptionPolicy::TakeLast);
+    app_->add_option(name, target, meaning)->type_name(type)->multi_option_policy(CLI::MultiOptionPolicy::TakeLast);
   };
   const auto read = [&](const char* name, auto reader, const char* meaning, const char* type) {
-    app_.add_option_function<std::string>(name, reader, meaning)->type_name(type);
+    app_->add_option_function<std::string>(name, reader, meaning)->type_name(type);
   };
-  app_.set_help_flag("--help", "Show this help and leave");
-  app_.add_flag_callback(
+  app_->set_help_flag("--help", "Show this help and leave");
+  app_->add_flag_callback(
       "--version", [&out] { out.wish = CommandLine::Wish::version; }, "Show the version and leave");
   read(
       "--threads", [&](const std::string& count) { options.threads = threads(count); },
@@ -72,17 +75,21 @@ LongOptions::LongOptions(CommandLine& out) : out_(out) {
   text("--stats", options.stats_file, "Write times, rays and queue sizes as JSON", "FILE");
   text("--snapshots", options.snapshots_folder, "Write intermediate pictures to a folder", "DIR");
   text("--front-end", options.front_end, "Read the scene with a loadable module", "FILE");
-  app_.add_flag("--quiet", options.quiet, "Show errors only");
-  app_.add_flag("--parse-only", options.parse_only,
+  app_->add_flag("--quiet", options.quiet, "Show errors only");
+  app_->add_flag("--parse-only", options.parse_only,
                 "Read the scene, say what is in it and what cannot be rendered, and leave");
-  app_.add_flag("--json", options.json, "With --parse-only: say it as JSON");
+  app_->add_flag("--json", options.json, "With --parse-only: say it as JSON");
 }
+
+LongOptions::~LongOptions() = default;
+
+const CLI::Option* LongOptions::find(const std::string& name) const { return app_->get_option_no_throw(name); }
 
 bool LongOptions::takes_value(const std::string& name) const { return find(name)->get_items_expected_min() > 0; }
 
 void LongOptions::read_word(const std::string& word) {
   try {
-    app_.parse(std::vector<std::string>{word});
+    app_->parse(std::vector<std::string>{word});
   } catch (const CLI::CallForHelp&) {
     out_.wish = CommandLine::Wish::help;
   } catch (const CLI::ValidationError& error) {
@@ -97,7 +104,7 @@ void LongOptions::read_word(const std::string& word) {
 
 std::string LongOptions::help() const {
   std::string text;
-  for (const CLI::Option* option : app_.get_options()) {
+  for (const CLI::Option* option : app_->get_options()) {
     const std::string left =
         option->get_name() + (option->get_items_expected_min() > 0 ? " " + option->get_type_name() : "");
     text += fmt::format("  {:<25}  {}\n", left, option->get_description());
@@ -107,7 +114,7 @@ std::string LongOptions::help() const {
 
 std::vector<std::string> LongOptions::names() const {
   std::vector<std::string> names;
-  for (const CLI::Option* option : app_.get_options()) {
+  for (const CLI::Option* option : app_->get_options()) {
     for (const std::string& name : option->get_lnames()) names.push_back("--" + name);
   }
   return names;

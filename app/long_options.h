@@ -2,11 +2,15 @@
 
 #include "app/options.h"
 
-#include <CLI/CLI.hpp>
-
+#include <memory>
 #include <string>
 #include <string_view>
 #include <vector>
+
+namespace CLI {
+class App;
+class Option;
+}  // namespace CLI
 
 namespace firstlight::app {
 
@@ -15,6 +19,9 @@ namespace firstlight::app {
 class LongOptions {
  public:
   explicit LongOptions(CommandLine& out);
+  ~LongOptions();
+  LongOptions(const LongOptions&) = delete;
+  LongOptions& operator=(const LongOptions&) = delete;
 
   bool knows(const std::string& name) const { return find(name) != nullptr; }
   bool takes_value(const std::string& name) const;
@@ -26,10 +33,10 @@ class LongOptions {
   std::vector<std::string> names() const;
 
  private:
-  const CLI::Option* find(const std::string& name) const { return app_.get_option_no_throw(name); }
+  const CLI::Option* find(const std::string& name) const;
 
   CommandLine& out_;
-  CLI::App app_{"Renders a POV-Ray scene, the rays that matter most first.", "firstlight"};
+  std::unique_ptr<CLI::App> app_;  // behind a pointer: its header takes longer to compile than all of ours
 };
 
 /// "--queue-memory" for "Queue_Memory", and the other way round "queue_memory".

@@ -17,6 +17,7 @@
 #include "priority/driver.h"
 #include "priority/order.h"
 #include "render/accel/accel.h"
+#include "render/image/codec.h"
 #include "render/trace/radiance_bound.h"
 
 #include <fmt/format.h>
@@ -113,6 +114,7 @@ int render_command(const Options& options, Clock::time_point start, const std::a
     server = SteerServer::open(options.steer, problem);
     if (server == nullptr) return fail("--steer: " + problem);
   }
+  if (options.write_picture || !options.snapshots_folder.empty()) render::prepare_image_codec();
   ProgressLine line(options.quiet);
   Stats stats;
   stats.scene = options.scene;

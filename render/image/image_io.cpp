@@ -1,7 +1,7 @@
 #include "render/image/image_io.h"
 
-#include <OpenImageIO/filesystem.h>
-#include <OpenImageIO/imageio.h>
+#include "render/image/codec.h"
+
 #include <fmt/format.h>
 #include <unistd.h>
 
@@ -31,9 +31,6 @@ constexpr std::array kFormats = {Format{"png", false}, Format{"tga", false}, For
                                  Format{"bmp", false}, Format{"jpg", false}, Format{"jpeg", false},
                                  Format{"exr", true},  Format{"hdr", true}};
 
-/// Pictures with more pixels than this are taken for damaged files.
-constexpr std::int64_t kMostPixels = std::int64_t{1} << 28;
-
 const Format* find_format(const std::string& path, std::string_view format) {
   std::string extension(format);
   if (extension.empty()) {
@@ -61,29 +58,6 @@ fs::path temporary_beside(const fs::path& target) {
   return target.parent_path() / fmt::format(".firstlight-{}-{}.part", static_cast<long>(::getpid()), count++);
 }
 
-/// The part of OpenImageIO's message that says why; the rest goes on for lines.
-std::string first_line(std::string text) {
-  text.erase(std::min(text.find('\n'), text.size()));
-  return text.empty() ? "unknown error" : text;
-}
-
-/// The bytes of the picture file, made by OpenImageIO. They are made in memory, for OpenImageIO does not report a disk
-/// that is full. On failure `error` says why.
-std::vector<unsigned char> file_bytes(const Format& format, const OIIO::ImageSpec& spec, OIIO::TypeDesc type,
-                                      const void* pixels, std::string& error) {
-  const std::unique_ptr<OIIO::ImageOutput> output = OIIO::ImageOutput::create(std::string(format.extension));
-  if (!output) {
-    error = first_line(OIIO::geterror());
-    return {};
-  }
-  std::vector<unsigned char> bytes;
-  OIIO::Filesystem::IOVecOutput memory(bytes);
-  const std::string name = fmt::format("picture.{}", format.extension);  // its extension is looked at
-  const bool done = output->set_ioproxy(&memory) && output->open(name, spec) && output->write_image(type, pixels);
-  if (!output->close() || !done) error = first_line(output->geterror());
-  return bytes;
-}
-
 /// Writes a whole file; the system's reason when that fails, else empty. `is_new`: the file must not exist yet.
 std::string write_file(const fs::path& path, std::span<const unsigned char> bytes, bool is_new) {
   std::FILE* const file = std::fopen(path.c_str(), is_new ? "wbx" : "wb");
@@ -94,9 +68,8 @@ std::string write_file(const fs::path& path, std::span<const unsigned char> byte
   return failure == 0 ? "" : std::generic_category().message(failure);
 }
 
-std::string write(const std::string& path, const Format& format, int width, int height, OIIO::TypeDesc type,
-                  const void* pixels) {
-  if (width <= 0 || height <= 0) return refusal(path, "the picture has no pixels");
+std::string write(const std::string& path, const Format& format, const ImageCodec::Pixels& pixels) {
+  if (pixels.width <= 0 || pixels.height <= 0) return refusal(path, "the picture has no pixels");
   std::error_code ignored;
   fs::path target(path);
   if (!target.has_filename()) return refusal(path, "that names a folder, not a file");
@@ -111,14 +84,12 @@ std::string write(const std::string& path, const Format& format, int width, int 
   const fs::file_status status = fs::status(target, ignored);
   if (fs::is_directory(status)) return refusal(path, "that is a folder");
 
-  OIIO::ImageSpec spec(width, height, 3, type);
-  if (!format.light) spec.attribute("oiio:ColorSpace", "sRGB");
-  if (format.extension.starts_with("jp")) spec.attribute("CompressionQuality", 95);
-
   // What exists and is no plain file, such as /dev/null, cannot be replaced by renaming.
   const bool in_place = fs::exists(status) && !fs::is_regular_file(status);
   std::string error;
-  const std::vector<unsigned char> bytes = file_bytes(format, spec, type, pixels, error);
+  const ImageCodec* const codec = image_codec(error);
+  if (codec == nullptr) return refusal(path, error);
+  const std::vector<unsigned char> bytes = codec->encode(format.extension, pixels, error);
   if (!error.empty()) return refusal(path, error);
   if (in_place) {
     error = write_file(target, bytes, false);
@@ -158,7 +129,7 @@ std::string write_picture(const std::string& path, const Picture& picture, std::
     const Format* const found = find_format(path, format);
     if (found == nullptr) return unknown_format(path);
     if (found->light) return refusal(path, "that format holds light, not 8-bit values");
-    return write(path, *found, picture.width, picture.height, OIIO::TypeDesc::UINT8, picture.rgb.data());
+    return write(path, *found, {picture.width, picture.height, false, picture.rgb.data()});
   });
 }
 
@@ -168,12 +139,12 @@ std::string write_light(const std::string& path, int width, int height, std::spa
     const Format* const found = find_format(path, format);
     if (found == nullptr) return unknown_format(path);
     if (!found->light) return refusal(path, "that format holds 8-bit values, not light");
-    return write(path, *found, width, height, OIIO::TypeDesc::FLOAT, light.data());
+    return write(path, *found, {width, height, true, light.data()});
   });
 }
 
 std::string write_png(const std::string& path, int width, int height, std::span<const std::uint8_t> rgb) {
-  return guarded(path, [&] { return write(path, kFormats.front(), width, height, OIIO::TypeDesc::UINT8, rgb.data()); });
+  return guarded(path, [&] { return write(path, kFormats.front(), {width, height, false, rgb.data()}); });
 }
 
 Picture read_image(const std::string& path, std::string& error) {
@@ -187,26 +158,11 @@ Picture read_image(const std::string& path, std::string& error) {
     const fs::file_status status = fs::status(path, ignored);
     if (!fs::exists(status)) return fail("there is no such file");
     if (!fs::is_regular_file(status)) return fail("that is not a file");
-    OIIO::ImageSpec options;
-    options.attribute("oiio:UnassociatedAlpha", 1);  // colours as stored, not darkened by alpha
-    const std::unique_ptr<OIIO::ImageInput> input = OIIO::ImageInput::open(path, &options);
-    if (!input) return fail(first_line(OIIO::geterror()));
-    const OIIO::ImageSpec& spec = input->spec();
-    if (spec.width <= 0 || spec.height <= 0 || spec.nchannels <= 0 ||
-        std::int64_t{spec.width} * spec.height > kMostPixels) {
-      return fail("its size is not that of a picture");
-    }
-    const std::size_t pixels = static_cast<std::size_t>(spec.width) * static_cast<std::size_t>(spec.height);
-    const int channels = spec.nchannels >= 3 ? 3 : 1;
-    Picture picture{spec.width, spec.height, std::vector<std::uint8_t>(pixels * 3)};
-    // One channel is read to every third byte and copied to its neighbours.
-    if (!input->read_image(0, 0, 0, channels, OIIO::TypeDesc::UINT8, picture.rgb.data(), 3)) {
-      return fail(first_line(input->geterror()));
-    }
-    if (channels == 1) {
-      for (std::size_t i = 0; i < picture.rgb.size(); i += 3) picture.rgb[i + 1] = picture.rgb[i + 2] = picture.rgb[i];
-    }
-    return picture;
+    std::string why;
+    const ImageCodec* const codec = image_codec(why);
+    if (codec == nullptr) return fail(why);
+    Picture picture = codec->decode(path, why);
+    return why.empty() ? picture : fail(why);
   } catch (const std::exception& problem) {
     return fail(problem.what());
   }

@@ -1,21 +1,13 @@
 #pragma once
 
+#include "render/image/picture.h"
+
 #include <cstdint>
 #include <span>
 #include <string>
 #include <string_view>
-#include <vector>
 
 namespace firstlight::render {
-
-/// A picture as an 8-bit file holds it: red green blue of each pixel, rows from the top.
-struct Picture {
-  int width = 0;
-  int height = 0;
-  std::vector<std::uint8_t> rgb;
-
-  bool operator==(const Picture&) const = default;
-};
 
 // Writing. The picture is written under another name in the same folder and renamed when it is complete, so a file of
 // the name is never half written, and a failure leaves what was there. The result is empty, or says in plain words why
