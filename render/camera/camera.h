@@ -15,7 +15,7 @@ struct Camera {
   Vec3 right{1.33, 0.0, 0.0};
   Vec3 up{0.0, 1.0, 0.0};
   Vec3 sky{0.0, 1.0, 0.0};
-  FeatureUses unrendered;
+  FeatureUses unrendered = {};
 };
 
 /// Turns the camera towards a point, keeping the lengths (and handedness) of its axes, sky upwards.

@@ -17,7 +17,7 @@ struct Light {
   bool shadowless = false;     ///< lights without being blocked, and gives no highlights
   double fade_distance = 0.0;  ///< scene units
   double fade_power = 0.0;     ///< 0: no fading
-  FeatureUses unrendered;
+  FeatureUses unrendered = {};
 };
 
 /// Whether the light is weaker far away.

@@ -76,7 +76,7 @@ struct Object {
   std::vector<std::string> names;
   std::string_view word;  ///< of Kind::shape: the word of the scene language that made it; static text
 
-  FeatureUses unrendered;  ///< what the object's own words ask for; children and surfaces carry theirs
+  FeatureUses unrendered = {};  ///< what the object's own words ask for; children and surfaces carry theirs
 
   static constexpr std::size_t kMostNames = 8;
 };

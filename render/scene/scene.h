@@ -54,7 +54,7 @@ struct Settings {
   int language_version = 370;  ///< as 100 * version; some formulas of transparency differ before 370
   WorkingGamma gamma = WorkingGamma::linear;
   double gamma_exponent = 1.0;  ///< of WorkingGamma::power
-  FeatureUses unrendered;
+  FeatureUses unrendered = {};
 };
 
 /// Everything to be rendered, frozen. Plain data, safe to read from any thread.
@@ -69,7 +69,7 @@ struct Scene {
   std::vector<Interior> interiors;
   std::vector<ObjectGroup> objects;
   std::size_t described = 0;  ///< top-level objects that are no solids, for they cannot be rendered
-  FeatureUses unrendered;     ///< of all that is in the scene: while not empty, no picture is right
+  FeatureUses unrendered = {};     ///< of all that is in the scene: while not empty, no picture is right
   std::vector<std::vector<std::string>> light_names;  ///< SDL identifiers of each light, the outermost first
 };
 

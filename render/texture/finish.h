@@ -27,7 +27,7 @@ struct Finish {
   bool reflection_fresnel = false;
   bool conserve_energy = false;
 
-  FeatureUses unrendered;
+  FeatureUses unrendered = {};
 
   // Of old scenes, which put these into the finish; scene building moves them to the interior.
   double legacy_ior = 0.0;         ///< 0: not given

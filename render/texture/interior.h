@@ -13,7 +13,7 @@ struct Interior {
   Rgb fade_color{0.0f, 0.0f, 0.0f};
   double refraction_scale =
       1.0;  ///< the old `refraction` factor on light that passes; 1 unless a legacy finish sets it
-  FeatureUses unrendered;
+  FeatureUses unrendered = {};
 };
 
 }  // namespace firstlight::render

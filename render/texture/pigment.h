@@ -35,7 +35,7 @@ struct Pigment {
   bool stepped = false;  ///< a list pattern (checker): map positions are list places, no wave, no blending
   Wave wave;
   ColorMap map;
-  FeatureUses unrendered;
+  FeatureUses unrendered = {};
   Transform placement;  ///< pattern space to the space of the texture
 };
 

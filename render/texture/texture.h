@@ -11,7 +11,7 @@ namespace firstlight::render {
 struct TextureLayer {
   Pigment pigment;
   Finish finish;
-  FeatureUses unrendered;  ///< beyond those of pigment and finish
+  FeatureUses unrendered = {};  ///< beyond those of pigment and finish
 };
 
 /// What covers a surface, in layers. Shared between objects, immutable once shared; each use has its own placement.
