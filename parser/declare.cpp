@@ -23,9 +23,6 @@ bool declares_something(Keyword word) {
     case Keyword::density_map:
     case Keyword::density:
     case Keyword::media:
-    case Keyword::fog:
-    case Keyword::rainbow:
-    case Keyword::sky_sphere:
       return true;
     default:
       return false;

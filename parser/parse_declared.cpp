@@ -1,5 +1,7 @@
+#include "parser/parse_atmosphere.h"
 #include "parser/parse_camera.h"
 #include "parser/parse_common.h"
+#include "parser/parse_object.h"
 #include "parser/parse_surface.h"
 #include "parser/parse_transform.h"
 #include "parser/statements.h"
@@ -56,11 +58,13 @@ bool accept_default(Reader& reader, SceneContext& context) {
     }
     case Keyword::camera:
       reader.take();
-      context.default_camera = parse_camera(reader, word, context.default_camera);
+      context.default_camera = parse_camera(reader, context, word, context.default_camera);
       return true;
-    case Keyword::radiosity:  // without radiosity its default importance means nothing
+    case Keyword::radiosity:
       reader.take();
-      skip_block(reader, word);
+      if (const auto importance = parse_importance(reader, word)) {
+        context.builder.settings().radiosity.default_importance = *importance;
+      }
       return true;
     case Keyword::normal:
       fail_unsupported(reader, reader.take());
@@ -97,19 +101,25 @@ std::optional<Value> parse_declarable(Reader& reader, SceneContext& context) {
       return shared(parse_color_map(reader, word));
     case Keyword::camera:
       reader.take();
-      return shared(parse_camera(reader, word, context.default_camera));
+      return shared(parse_camera(reader, context, word, context.default_camera));
     case Keyword::transform:
       reader.take();
       return shared(parse_transform(reader, word));
+    case Keyword::fog:
+      reader.take();
+      return shared(parse_fog(reader, word));
+    case Keyword::rainbow:
+      reader.take();
+      return shared(parse_rainbow(reader, word));
+    case Keyword::sky_sphere:
+      reader.take();
+      return shared(parse_sky_sphere(reader, context, word));
     case Keyword::density:
     case Keyword::density_map:
-    case Keyword::fog:
     case Keyword::media:
     case Keyword::normal:
     case Keyword::normal_map:
     case Keyword::pigment_map:
-    case Keyword::rainbow:
-    case Keyword::sky_sphere:
     case Keyword::slope_map:
     case Keyword::texture_map:
       fail_unsupported(reader, reader.take());

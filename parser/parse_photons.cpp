@@ -56,4 +56,16 @@ void parse_object_photons(Reader& reader, const Token& word, PhotonRole& role) {
   reader.close_block();
 }
 
+void parse_light_photons(Reader& reader, const Token& word, render::Light& light) {
+  reader.open_block(word);
+  for (;;) {
+    if (reader.accept(Keyword::area_light)) {
+      light.photon_area_light = true;
+    } else if (!accept_way(reader, light.photon_reflection, light.photon_refraction)) {
+      break;
+    }
+  }
+  reader.close_block();
+}
+
 }  // namespace firstlight::parser

@@ -1,4 +1,5 @@
 #include "parser/interpreter.h"
+#include "parser/parse_atmosphere.h"
 #include "parser/parse_camera.h"
 #include "parser/parse_common.h"
 #include "parser/parse_object.h"
@@ -19,7 +20,7 @@ void parse_scene_camera(Reader& reader, SceneContext& context) {
     if (context.builder.has_camera()) reader.warn(word, "more than one camera in the scene; the last one counts");
     context.camera = context.default_camera;
   }
-  context.camera = parse_camera(reader, word, context.camera);
+  context.camera = parse_camera(reader, context, word, context.camera);
   context.builder.set_camera(context.camera);
 }
 
@@ -43,8 +44,6 @@ void parse_statement(Reader& reader, SceneContext& context) {
   switch (next.keyword) {
     case Keyword::camera:
       return parse_scene_camera(reader, context);
-    case Keyword::background:
-      return parse_background(reader, context, reader.take());
     case Keyword::global_settings:
       return parse_global_settings(reader, context, reader.take());
     case Keyword::default_:
@@ -61,12 +60,10 @@ void parse_statement(Reader& reader, SceneContext& context) {
     case Keyword::include:
     case Keyword::version:
       return reader.interpreter().run_bare_directive();
-    case Keyword::fog:
     case Keyword::media:
-    case Keyword::rainbow:
-    case Keyword::sky_sphere:
       fail_unsupported(reader, reader.take());
     default:
+      if (accept_atmosphere(reader, context)) return;
       return parse_top_object(reader, context);
   }
 }

@@ -30,32 +30,54 @@ void parse_assumed_gamma(Reader& reader, const Token& word) {
   }
 }
 
-void parse_charset(Reader& reader) {
-  if (!reader.accept(Keyword::ascii) && !reader.accept(Keyword::utf8) && !reader.accept(Keyword::sys)) {
-    reader.fail_expected("'ascii', 'utf8' or 'sys'");
-  }
+render::Charset parse_charset(Reader& reader) {
+  if (reader.accept(Keyword::ascii)) return render::Charset::ascii;
+  if (reader.accept(Keyword::utf8)) return render::Charset::utf8;
+  if (reader.accept(Keyword::sys)) return render::Charset::system;
+  reader.fail_expected("'ascii', 'utf8' or 'sys'");
 }
 
-/// Settings of what pictures of supported scenes do not have.
-bool accept_idle(Reader& reader) {
-  if (reader.next_is(Keyword::number_of_waves)) {
-    const Token word = reader.take();
-    if (integer(reader, "number_of_waves") <= 0)
+void parse_subsurface(Reader& reader, const Token& word, render::SubsurfaceSettings& settings) {
+  settings.enabled = true;
+  reader.open_block(word);
+  for (;;) {
+    if (reader.accept(Keyword::samples)) {
+      settings.diffuse_samples = integer(reader, "samples");
+      reader.skip_comma();
+      settings.single_samples = integer(reader, "samples");
+    } else if (reader.accept(Keyword::radiosity)) {
+      settings.radiosity = integer(reader, "radiosity") != 0;
+    } else {
+      break;
+    }
+  }
+  reader.close_block();
+}
+
+/// Settings of single surfaces, patterns and strings.
+bool accept_detail(Reader& reader, render::Settings& settings) {
+  const Token word = reader.peek();
+  if (reader.accept(Keyword::number_of_waves)) {
+    settings.number_of_waves = integer(reader, "number_of_waves");
+    if (settings.number_of_waves <= 0) {
       reader.warn(word, "'number_of_waves' must be above 0; it is taken as 1");
+      settings.number_of_waves = 1;
+    }
   } else if (reader.accept(Keyword::noise_generator)) {
     const Token at = reader.peek();
     const int generator = integer(reader, "noise_generator");
     if (generator < 1 || generator > 3) reader.fail(at, "'noise_generator' must be 1, 2 or 3");
   } else if (reader.accept(Keyword::irid_wavelength)) {
-    reader.color();
+    settings.irid_wavelength = reader.color().rgb;
   } else if (reader.accept(Keyword::mm_per_unit)) {
-    reader.number();
-  } else if (reader.next_is(Keyword::hf_gray_16)) {
-    const Token word = reader.take();
+    settings.mm_per_unit = finite_number(reader, "mm_per_unit");
+  } else if (reader.accept(Keyword::hf_gray_16)) {
     reader.optional_flag();
     reader.warn(word, "'hf_gray_16' is ignored, as it is by POV-Ray 3.7");
   } else if (reader.accept(Keyword::charset)) {
-    parse_charset(reader);
+    settings.charset = parse_charset(reader);
+  } else if (reader.accept(Keyword::subsurface)) {
+    parse_subsurface(reader, word, settings.subsurface);
   } else {
     return false;
   }
@@ -84,11 +106,13 @@ bool accept_setting(Reader& reader, SceneContext& context) {
       context.builder.settings().adc_bailout = finite_number(reader, "adc_bailout");
       return true;
     case Keyword::photons:
+      parse_photon_settings(reader, context, reader.take());
+      return true;
     case Keyword::radiosity:
-    case Keyword::subsurface:
-      fail_unsupported(reader, reader.take());
+      parse_radiosity(reader, context, reader.take());
+      return true;
     default:
-      return accept_idle(reader);
+      return accept_detail(reader, context.builder.settings());
   }
 }
 
@@ -98,15 +122,6 @@ void parse_global_settings(Reader& reader, SceneContext& context, const Token& w
   reader.open_block(word);
   while (accept_setting(reader, context)) {
   }
-  reader.close_block();
-}
-
-void parse_background(Reader& reader, SceneContext& context, const Token& word) {
-  reader.open_block(word);
-  const render::FilteredColor color = color_or_black(reader);
-  // behind a background that lets light pass there is black
-  const float kept = effective_language_version(reader) < 370 ? 1.0f : 1.0f - color.transmit;
-  context.builder.settings().background = color.rgb * kept;
   reader.close_block();
 }
 

@@ -7,8 +7,9 @@ namespace firstlight::parser {
 
 /// The block after `global_settings`, whose word has been taken.
 void parse_global_settings(Reader& reader, SceneContext& context, const Token& word);
-/// The block after `background`, whose word has been taken.
-void parse_background(Reader& reader, SceneContext& context, const Token& word);
+/// The blocks after `radiosity` and `photons` in it, whose words have been taken.
+void parse_radiosity(Reader& reader, SceneContext& context, const Token& word);
+void parse_photon_settings(Reader& reader, SceneContext& context, const Token& word);
 /// The number after `max_trace_level`, wherever that stands.
 void parse_max_trace_level(Reader& reader, SceneContext& context, const Token& word);
 /// The number after `max_intersections`, which has no meaning any more.

@@ -11,9 +11,26 @@ std::string_view kind_name(const Value& value) {
                                                                "vector", "4D vector", "color"};
     return kNames[numbers->size];
   }
-  static constexpr auto kNames = std::to_array<std::string_view>(
-      {"empty array element", "number", "string", "array", "macro", "object", "texture", "pigment", "finish",
-       "interior", "material", "color_map", "camera", "transform", "unsupported value", "dictionary", "file"});
+  static constexpr auto kNames = std::to_array<std::string_view>({"empty array element",
+                                                                  "number",
+                                                                  "string",
+                                                                  "array",
+                                                                  "macro",
+                                                                  "object",
+                                                                  "texture",
+                                                                  "pigment",
+                                                                  "finish",
+                                                                  "interior",
+                                                                  "material",
+                                                                  "color_map",
+                                                                  "camera",
+                                                                  "transform",
+                                                                  "unsupported value",
+                                                                  "dictionary",
+                                                                  "file",
+                                                                  "fog",
+                                                                  "rainbow",
+                                                                  "sky_sphere"});
   static_assert(kNames.size() == std::variant_size_v<Value>);
   return kNames[value.index()];
 }

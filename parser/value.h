@@ -4,6 +4,7 @@
 #include "render/camera/camera.h"
 #include "render/math/color.h"
 #include "render/math/transform.h"
+#include "render/scene/atmosphere.h"
 #include "render/scene/object.h"
 #include "render/texture/texture.h"
 
@@ -44,23 +45,26 @@ struct Material {
 };
 
 /// Anything that `#declare` can name. Heavy things are shared and immutable; a copy is cheap.
-using Value = std::variant<std::monostate,                            // declared but undefined
-                           Numbers,                                   // float, vector, colour
-                           std::string,                               // string
-                           std::shared_ptr<Array>,                    // array (passed and copied by POV-Ray's rules)
-                           std::shared_ptr<const Macro>,              // macro
-                           std::shared_ptr<const render::Object>,     // any object or light_source
-                           std::shared_ptr<const render::Texture>,    // texture, its layers placed
-                           std::shared_ptr<const render::Pigment>,    // pigment
-                           std::shared_ptr<const render::Finish>,     // finish
-                           std::shared_ptr<const render::Interior>,   // interior
-                           std::shared_ptr<const Material>,           // material
-                           std::shared_ptr<const render::ColorMap>,   // color_map
-                           std::shared_ptr<const render::Camera>,     // camera
-                           std::shared_ptr<const render::Transform>,  // transform
-                           std::shared_ptr<const Unsupported>,        // what cannot be rendered
-                           std::shared_ptr<Dictionary>,               // dictionary
-                           std::shared_ptr<DataFile>>;                // what #fopen opens
+using Value = std::variant<std::monostate,                             // declared but undefined
+                           Numbers,                                    // float, vector, colour
+                           std::string,                                // string
+                           std::shared_ptr<Array>,                     // array (passed and copied by POV-Ray's rules)
+                           std::shared_ptr<const Macro>,               // macro
+                           std::shared_ptr<const render::Object>,      // any object or light_source
+                           std::shared_ptr<const render::Texture>,     // texture, its layers placed
+                           std::shared_ptr<const render::Pigment>,     // pigment
+                           std::shared_ptr<const render::Finish>,      // finish
+                           std::shared_ptr<const render::Interior>,    // interior
+                           std::shared_ptr<const Material>,            // material
+                           std::shared_ptr<const render::ColorMap>,    // color_map
+                           std::shared_ptr<const render::Camera>,      // camera
+                           std::shared_ptr<const render::Transform>,   // transform
+                           std::shared_ptr<const Unsupported>,         // what cannot be rendered
+                           std::shared_ptr<Dictionary>,                // dictionary
+                           std::shared_ptr<DataFile>,                  // what #fopen opens
+                           std::shared_ptr<const render::Fog>,         // fog
+                           std::shared_ptr<const render::Rainbow>,     // rainbow
+                           std::shared_ptr<const render::SkySphere>>;  // sky_sphere
 
 /// `array [2][3]`: elements in the order of the text; std::monostate where nothing has been stored. All elements are of
 /// one kind, that of the first one stored, unless the array is mixed. One without sizes grows as it is written to.

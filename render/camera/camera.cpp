@@ -7,7 +7,8 @@
 namespace firstlight::render {
 namespace {
 
-/// A cross product of which no component exceeds this means that the vectors are parallel. [POV-Ray 3.7]
+/// A vector none of whose components exceeds this has no direction: vectors whose cross product it is are parallel.
+/// [POV-Ray 3.7]
 constexpr double kParallel = 1e-10;
 
 Vec3 unit(const Vec3& v) {
@@ -37,6 +38,14 @@ void look_at(Camera& camera, const Vec3& target) {
 void set_angle(Camera& camera, double degrees) {
   const double half = degrees * (std::numbers::pi / 360.0);
   camera.direction = unit(camera.direction) * (0.5 * camera.right.length() / std::tan(half));
+}
+
+void widen_to_look_at(Camera& camera) {
+  const double target_distance = (camera.look_at - camera.location).length();
+  const double plane_distance = camera.direction.length();
+  if (target_distance <= kParallel || plane_distance <= kParallel) return;
+  camera.right *= target_distance / plane_distance;
+  camera.up *= target_distance / plane_distance;
 }
 
 void place(Camera& camera, const Transform& transform) {

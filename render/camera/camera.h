@@ -1,20 +1,73 @@
 #pragma once
 
+#include "render/feature/feature.h"
 #include "render/math/transform.h"
 #include "render/math/vec.h"
-#include "render/feature/feature.h"
+
+#include <cstdint>
+#include <memory>
+#include <vector>
 
 namespace firstlight::render {
 
-/// A perspective camera as POV-Ray keeps it after its modifiers have been applied in order. The picture plane is
-/// spanned by `right` and `up` around `location + direction`; the lengths matter.
+struct Object;
+struct Pigment;
+
+/// How points of the picture become directions. [POV-Ray 3.7 manual, "Types of Projection"]
+enum class CameraKind : std::uint8_t {
+  perspective,
+  orthographic,
+  fisheye,
+  ultra_wide_angle,
+  omnimax,
+  panoramic,
+  cylinder_1,  ///< vertical, fixed viewpoint
+  cylinder_2,  ///< horizontal, fixed viewpoint
+  cylinder_3,  ///< vertical, the viewpoint moves along the axis
+  cylinder_4,  ///< horizontal, the viewpoint moves along the axis
+  spherical,
+  mesh,
+};
+
+/// Depth of field. It shows with an aperture and samples.
+struct FocalBlur {
+  double aperture = 0.0;
+  int samples = 0;      ///< most rays a pixel
+  int min_samples = 0;  ///< least rays a pixel before `confidence` is asked
+  double confidence = 0.9;
+  double variance = 1e-4;
+  Vec3 focal_point{0.0, 0.0, 1.0};
+  double focal_distance = -1.0;          ///< from the location; below 0 only while the camera is being described
+  std::shared_ptr<const Pigment> bokeh;  ///< over the unit square: the aperture's shape and colour; null: a disc
+
+  bool shows() const { return aperture != 0.0 && samples > 0; }
+};
+
+/// A camera whose rays start on faces. [POV-Ray 3.7 manual, "Mesh Camera"]
+struct MeshCamera {
+  int rays_per_pixel = 1;
+  int distribution = 0;           ///< method of dealing faces to pixels, 0 to 3
+  double max_ray_distance = 0.0;  ///< 0: none
+  bool smooth = false;            ///< of method 3: directions are interpolated normals
+  std::shared_ptr<const std::vector<Object>> meshes;
+};
+
+/// A camera as POV-Ray keeps it after its modifiers have been applied in order. The picture plane of a perspective
+/// camera is spanned by `right` and `up` around `location + direction`; the lengths matter.
 /// Defaults are POV-Ray 3.7's.
 struct Camera {
+  CameraKind kind = CameraKind::perspective;
   Vec3 location{0.0, 0.0, 0.0};
   Vec3 direction{0.0, 0.0, 1.0};
   Vec3 right{1.33, 0.0, 0.0};
   Vec3 up{0.0, 1.0, 0.0};
   Vec3 sky{0.0, 1.0, 0.0};
+  Vec3 look_at{0.0, 0.0, 1.0};
+  double angle = 90.0;              ///< degrees; perspective and orthographic cameras have it in `direction` already
+  double horizontal_angle = 360.0;  ///< degrees, of a spherical camera
+  double vertical_angle = 180.0;
+  FocalBlur blur;
+  MeshCamera mesh;
   FeatureUses unrendered = {};
 };
 
@@ -22,10 +75,12 @@ struct Camera {
 void look_at(Camera& camera, const Vec3& target);
 /// Sets the length of `direction` so that `right` spans `degrees`; pre: 0 < degrees < 180.
 void set_angle(Camera& camera, double degrees);
+/// Of an orthographic camera: makes the picture plane as large as it looks at the distance of `look_at`.
+void widen_to_look_at(Camera& camera);
 void place(Camera& camera, const Transform& transform);
 
-/// The ray through picture coordinates: (0, 0) is the upper left corner of the picture, (width, height) the lower right
-/// one; the middle of the first pixel is (0.5, 0.5). Unit direction.
+/// The ray through picture coordinates of a perspective camera: (0, 0) is the upper left corner of the picture,
+/// (width, height) the lower right one; the middle of the first pixel is (0.5, 0.5). Unit direction.
 Ray primary_ray(const Camera& camera, double x, double y, int width, int height);
 
 }  // namespace firstlight::render

@@ -1,22 +1,64 @@
 #pragma once
 
+#include "render/feature/feature.h"
 #include "render/math/color.h"
 #include "render/math/transform.h"
 #include "render/math/vec.h"
-#include "render/feature/feature.h"
 
 #include <cmath>
+#include <cstdint>
+#include <memory>
+#include <optional>
 
 namespace firstlight::render {
 
-/// A point light. Plain data.
+struct Object;
+
+/// A light spread over a parallelogram around its position, as a grid of points.
+struct AreaLight {
+  Vec3 axis1{0.0, 0.0, 1.0};  ///< edges of the parallelogram
+  Vec3 axis2{0.0, 1.0, 0.0};
+  int size1 = 1;  ///< points along each edge
+  int size2 = 1;
+};
+
+/// A light that shines in all directions, or as the further members say. Plain data.
 /// Source   POV-Ray 3.7 manual, "Light Source".
 struct Light {
+  /// Shape of the beam: all directions, a cone, a cylinder.
+  enum class Beam : std::uint8_t { all, spot, cylinder };
+
   Vec3 position{0.0, 0.0, 0.0};
   Rgb color{1.0f, 1.0f, 1.0f};
   bool shadowless = false;     ///< lights without being blocked, and gives no highlights
   double fade_distance = 0.0;  ///< scene units
   double fade_power = 0.0;     ///< 0: no fading
+
+  Beam beam = Beam::all;
+  bool parallel = false;         ///< all rays have the direction from `position` to `point_at`
+  Vec3 point_at{0.0, 0.0, 1.0};  ///< where the beam's axis leads
+  /// Full light within `radius` of the axis, none beyond `falloff`. Units: degrees of a spot, scene units of a
+  /// cylinder.
+  double radius = 0.0;
+  double falloff = 0.0;
+  double tightness = 0.0;  ///< exponent of the cosine to the axis
+
+  std::optional<AreaLight> area = {};
+  // Of area lights; without one they mean nothing.
+  bool jitter = false;
+  bool circular = false;
+  bool orient = false;             ///< turned towards the point that is lit
+  bool area_illumination = false;  ///< each point lights for itself, not only casts its shadow
+  int adaptive = 100;              ///< least subdivisions before more points are left out
+
+  bool media_attenuation = false;              ///< weakened by media
+  bool media_interaction = true;               ///< lights media
+  std::optional<bool> photon_reflection = {};  ///< of photons; not given: as the objects have it
+  std::optional<bool> photon_refraction = {};
+  bool photon_area_light = false;  ///< photons start from all over the area
+
+  std::shared_ptr<const Object> looks_like = {};         ///< in the space around the light; casts no shadow
+  std::shared_ptr<const Object> projected_through = {};  ///< the same: light is only where it has come through this
   FeatureUses unrendered = {};
 };
 
@@ -33,6 +75,7 @@ inline double fading(const Light& light, double distance) {
   return 2.0 / (1.0 + std::pow(distance / light.fade_distance, light.fade_power));
 }
 
+/// The light moved on; the objects that belong to it are the caller's to move (see render/scene/object.h).
 Light placed(const Light& light, const Transform& transform);
 
 }  // namespace firstlight::render

@@ -1,11 +1,28 @@
 #include "render/scene/object.h"
 
 namespace firstlight::render {
+namespace {
+
+std::shared_ptr<const Object> placed(const std::shared_ptr<const Object>& object, const Transform& transform) {
+  if (!object || transform.is_identity()) return object;
+  auto moved = std::make_shared<Object>(*object);
+  place(*moved, transform);
+  return moved;
+}
+
+}  // namespace
 
 void place(Object& object, const Transform& transform) {
   object.placement = object.placement.then(transform);
   if (object.texture) object.texture_placement = object.texture_placement.then(transform);
   if (object.interior_texture) object.interior_texture_placement = object.interior_texture_placement.then(transform);
+}
+
+Light placed_with_objects(const Light& light, const Transform& transform) {
+  Light moved = placed(light, transform);
+  moved.looks_like = placed(light.looks_like, transform);
+  moved.projected_through = placed(light.projected_through, transform);
+  return moved;
 }
 
 }  // namespace firstlight::render

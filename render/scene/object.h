@@ -83,5 +83,7 @@ struct Object {
 
 /// Moves the object on, with its textures.
 void place(Object& object, const Transform& transform);
+/// The light moved on, with the objects that belong to it.
+Light placed_with_objects(const Light& light, const Transform& transform);
 
 }  // namespace firstlight::render

@@ -3,6 +3,8 @@
 #include "render/camera/camera.h"
 #include "render/light/light.h"
 #include "render/math/color.h"
+#include "render/scene/atmosphere.h"
+#include "render/scene/global_settings.h"
 #include "render/scene/object_group.h"
 #include "render/scene/solid.h"
 #include "render/shape/shape.h"
@@ -50,10 +52,18 @@ struct Settings {
   int max_trace_level = 5;
   double adc_bailout = 1.0 / 255.0;
   Rgb background{0.0f, 0.0f, 0.0f};
+  FilteredColor background_with_alpha{Rgb(0.0f), 0.0f, 1.0f};  ///< instead, of a picture with an alpha channel
   double atmosphere_ior = 1.0;
   int language_version = 370;  ///< as 100 * version; some formulas of transparency differ before 370
   WorkingGamma gamma = WorkingGamma::linear;
   double gamma_exponent = 1.0;  ///< of WorkingGamma::power
+  Charset charset = Charset::ascii;
+  Rgb irid_wavelength{0.70f, 0.52f, 0.48f};
+  int number_of_waves = 10;   ///< of the patterns `waves` and `ripples`
+  double mm_per_unit = 10.0;  ///< for light below surfaces
+  RadiositySettings radiosity;
+  PhotonSettings photons;
+  SubsurfaceSettings subsurface;
   FeatureUses unrendered = {};
 };
 
@@ -61,6 +71,7 @@ struct Settings {
 struct Scene {
   Settings settings;
   Camera camera;
+  Atmosphere atmosphere;
   std::vector<Light> lights;
   /// Top-level solids in the order in which equal depths are decided: the lower index wins.
   std::vector<Solid> solids;
@@ -68,8 +79,8 @@ struct Scene {
   std::vector<PlacedTexture> textures;
   std::vector<Interior> interiors;
   std::vector<ObjectGroup> objects;
-  std::size_t described = 0;  ///< top-level objects that are no solids, for they cannot be rendered
-  FeatureUses unrendered = {};     ///< of all that is in the scene: while not empty, no picture is right
+  std::size_t described = 0;    ///< top-level objects that are no solids, for they cannot be rendered
+  FeatureUses unrendered = {};  ///< of all that is in the scene: while not empty, no picture is right
   std::vector<std::vector<std::string>> light_names;  ///< SDL identifiers of each light, the outermost first
 };
 

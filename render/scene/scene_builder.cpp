@@ -119,10 +119,13 @@ struct SceneBuilder::State {
   void link(const Object& object, const Inherited& parent);
   void note_region(const std::shared_ptr<const std::vector<Object>>& objects);
   void note_form(const Form& form, const Inherited& node);
+  void note_object(const std::shared_ptr<const Object>& object);
   void note_surfaces();
+  void note_atmosphere();
   std::optional<Solid> freeze(const Object& object, const Inherited& parent, bool top_level);
   void add_part(Solid& solid, const Object& object, const Inherited& leaf);
   void order_solids();
+  void finish();
 };
 
 /// What holds at `object`: its own where it has it, else its parent's.
@@ -193,7 +196,9 @@ std::optional<Solid> SceneBuilder::State::freeze(const Object& object, const Inh
   if (object.kind == Object::Kind::light) {
     scene->unrendered.add(object.unrendered);
     scene->unrendered.add(object.light.unrendered);
-    scene->lights.push_back(placed(object.light, object.placement.then(parent.to_world)));
+    scene->lights.push_back(placed_with_objects(object.light, object.placement.then(parent.to_world)));
+    note_object(scene->lights.back().looks_like);
+    note_object(scene->lights.back().projected_through);
     scene->light_names.push_back(objects.names_of(objects.within(parent.names, object.names)));
     return std::nullopt;
   }
@@ -235,6 +240,17 @@ void SceneBuilder::State::note_form(const Form& form, const Inherited& node) {
   for (const TexturePtr& texture : textures_of(form)) textures.index_of(texture, node.to_world);
 }
 
+/// An object that belongs to a light and is met by no ray: what it asks for counts, with its surfaces.
+void SceneBuilder::State::note_object(const std::shared_ptr<const Object>& object) {
+  if (!object) return;
+  State apart;
+  apart.scene->settings = scene->settings;
+  apart.default_texture = default_texture;
+  apart.freeze(*object, Inherited(), false);
+  apart.finish();
+  scene->unrendered.add(apart.scene->unrendered);
+}
+
 void SceneBuilder::State::note_surfaces() {
   for (const PlacedTexture& placed : scene->textures) {
     for (const TextureLayer& layer : placed.texture->layers) {
@@ -273,6 +289,21 @@ void SceneBuilder::State::order_solids() {
   });
 }
 
+void SceneBuilder::State::note_atmosphere() {
+  const Atmosphere& atmosphere = scene->atmosphere;
+  for (const Fog& fog : atmosphere.fogs) scene->unrendered.add(fog.unrendered);
+  for (const Rainbow& rainbow : atmosphere.rainbows) scene->unrendered.add(rainbow.unrendered);
+  if (!atmosphere.sky_sphere) return;
+  scene->unrendered.add(atmosphere.sky_sphere->unrendered);
+  for (const Pigment& pigment : atmosphere.sky_sphere->pigments) scene->unrendered.add(pigment.unrendered);
+}
+
+void SceneBuilder::State::finish() {
+  scene->textures = textures.take();
+  scene->objects = objects.take();
+  note_surfaces();
+}
+
 SceneBuilder::SceneBuilder() : state_(std::make_unique<State>()) {}
 SceneBuilder::~SceneBuilder() = default;
 SceneBuilder::SceneBuilder(SceneBuilder&&) noexcept = default;
@@ -286,6 +317,7 @@ void SceneBuilder::set_camera(const Camera& camera) {
 bool SceneBuilder::has_camera() const { return state_->has_camera; }
 Settings& SceneBuilder::settings() { return state_->scene->settings; }
 const Settings& SceneBuilder::settings() const { return state_->scene->settings; }
+Atmosphere& SceneBuilder::atmosphere() { return state_->scene->atmosphere; }
 
 void SceneBuilder::add(Object object, TexturePtr default_texture) {
   state_->default_texture = std::move(default_texture);
@@ -297,9 +329,8 @@ std::size_t SceneBuilder::object_count() const { return state_->scene->solids.si
 
 std::unique_ptr<const Scene> SceneBuilder::build() {
   state_->order_solids();
-  state_->scene->textures = state_->textures.take();
-  state_->scene->objects = state_->objects.take();
-  state_->note_surfaces();
+  state_->finish();
+  state_->note_atmosphere();
   state_->scene->unrendered.add(state_->scene->camera.unrendered);
   state_->scene->unrendered.add(state_->scene->settings.unrendered);
   std::unique_ptr<const Scene> scene = std::move(state_->scene);

@@ -22,6 +22,7 @@ class SceneBuilder {
   bool has_camera() const;
   Settings& settings();
   const Settings& settings() const;
+  Atmosphere& atmosphere();
   /// A top-level object, in the order of the scene text; lights are objects too. `default_texture` covers what has
   /// none.
   void add(Object object, TexturePtr default_texture);

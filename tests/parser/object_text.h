@@ -59,6 +59,25 @@ T form_of(std::string_view text) {
   return form ? *form : T();
 }
 
+/// The scene of `text`, with a camera behind it unless the text has one, which may ask for what cannot be rendered.
+inline render::LoadResult described(std::string_view text) {
+  const bool has_camera = text.find("camera {") != std::string_view::npos;
+  const SceneFile file("#version 3.7; global_settings { assumed_gamma 1 } " + std::string(text) +
+                       (has_camera ? "" : "\ncamera { location <0, 0, -5> look_at 0 }"));
+  render::LoadOptions options;
+  options.parse_only = true;
+  return PovFrontEnd().load(file.path(), options);
+}
+
+/// The same of a text without errors and warnings.
+inline std::unique_ptr<const render::Scene> described_scene(std::string_view text) {
+  render::LoadResult result = described(text);
+  EXPECT_EQ(errors(result), "") << text;
+  EXPECT_EQ(warnings(result), "") << text;
+  if (!result.scene) return std::make_unique<const render::Scene>();
+  return std::move(result.scene);
+}
+
 /// What `uses` names, one word after the other.
 inline std::string spelled(const render::FeatureUses& uses) {
   std::string all;
