@@ -37,8 +37,8 @@ struct FocalBlur {
   double confidence = 0.9;
   double variance = 1e-4;
   Vec3 focal_point{0.0, 0.0, 1.0};
-  double focal_distance = -1.0;          ///< from the location; below 0 only while the camera is being described
-  std::shared_ptr<const Pigment> bokeh;  ///< over the unit square: the aperture's shape and colour; null: a disc
+  double focal_distance = -1.0;               ///< from the location; below 0 only while the camera is being described
+  std::shared_ptr<const Pigment> bokeh = {};  ///< over the unit square: the aperture's shape and colour; null: a disc
 
   bool shows() const { return aperture != 0.0 && samples > 0; }
 };
@@ -49,7 +49,7 @@ struct MeshCamera {
   int distribution = 0;           ///< method of dealing faces to pixels, 0 to 3
   double max_ray_distance = 0.0;  ///< 0: none
   bool smooth = false;            ///< of method 3: directions are interpolated normals
-  std::shared_ptr<const std::vector<Object>> meshes;
+  std::shared_ptr<const std::vector<Object>> meshes = {};
 };
 
 /// A camera as POV-Ray keeps it after its modifiers have been applied in order. The picture plane of a perspective
@@ -66,8 +66,8 @@ struct Camera {
   double angle = 90.0;              ///< degrees; perspective and orthographic cameras have it in `direction` already
   double horizontal_angle = 360.0;  ///< degrees, of a spherical camera
   double vertical_angle = 180.0;
-  FocalBlur blur;
-  MeshCamera mesh;
+  FocalBlur blur = {};
+  MeshCamera mesh = {};
   FeatureUses unrendered = {};
 };
 

@@ -60,8 +60,8 @@ struct Object {
   bool sturm = false;             ///< polynomials are solved the slow and sure way
   bool hierarchy = true;          ///< parts of the shape may be bounded
   bool no_radiosity = false;
-  std::optional<double> radiosity_importance;  ///< above 0, at most 1; not set: the scene's default
-  PhotonRole photons;
+  std::optional<double> radiosity_importance = {};  ///< above 0, at most 1; not set: the scene's default
+  PhotonRole photons = {};
   /// A union whose lights shine on its own objects only; `global_lights`: which those of the scene light too.
   bool light_group = false;
   bool global_lights = false;

@@ -61,9 +61,9 @@ struct Settings {
   Rgb irid_wavelength{0.70f, 0.52f, 0.48f};
   int number_of_waves = 10;   ///< of the patterns `waves` and `ripples`
   double mm_per_unit = 10.0;  ///< for light below surfaces
-  RadiositySettings radiosity;
-  PhotonSettings photons;
-  SubsurfaceSettings subsurface;
+  RadiositySettings radiosity = {};
+  PhotonSettings photons = {};
+  SubsurfaceSettings subsurface = {};
   FeatureUses unrendered = {};
 };
 
