@@ -49,6 +49,7 @@ void Interpreter::grow(Array& array, std::size_t size, const Location& at) {
   if (size > kMostElements) {
     fail(at, "the array is too large (limit " + std::to_string(kMostElements) + " elements)");
   }
+  charged_ += (size - array.elements.size()) * sizeof(Value);
   array.elements.resize(size);
   array.sizes[0] = static_cast<std::uint32_t>(size);
 }
@@ -151,6 +152,7 @@ void Interpreter::parse_element(Array& array, std::size_t element) {
   Argument argument = parse_argument(false);
   check_element(array, argument.value, at.location);
   check_depth(1, argument.value, at.location);
+  charge(argument.value, at.location);
   array.elements[element] = std::move(argument.value);
 }
 

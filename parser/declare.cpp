@@ -106,6 +106,7 @@ void Interpreter::check_semicolon(const Target& target, const Token& word) {
 }
 
 void Interpreter::store(const Target& target, Value value) {
+  charge(value, target.name.location);
   if (target.part.array) check_element(*target.part.array, value, target.name.location);
   if (target.part.level > 0) check_depth(target.part.level, value, target.name.location);
   *target.slot = std::move(value);

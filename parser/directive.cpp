@@ -208,23 +208,6 @@ void Interpreter::run_bare_directive() {
   }
 }
 
-void Interpreter::run_version(const Token& word, bool first) {
-  Reader reader(*this);
-  const Hold hold(*this);
-  if (peek().kind == TokenKind::identifier && peek().text == "unofficial") take_binding();
-  const Token at = peek();
-  const double version = reader.number();
-  if (!(version >= 1.0 && version * 100.0 + 0.5 < LanguageState::kNewest + 1)) {
-    fail(at.location, "expected a version of the language from 1.0 to 3.7, found " + describe(at));
-  }
-  language_.set_version(static_cast<int>(version * 100.0 + 0.5), first);
-  if (peek().is(Punctuation::semicolon)) {
-    take();
-  } else if (language_.version() >= 310) {
-    warn(word.location, "expected ';' at the end of '#version', found " + describe_next());
-  }
-}
-
 void Interpreter::run_message(const Token& word) {
   if (word.is(Keyword::render) || word.is(Keyword::statistics)) {
     warn(word.location, "'#" + std::string(word.text) + "' writes where '#debug' does");

@@ -232,8 +232,7 @@ double of_strings(Interpreter& in, const Token& word) {
       break;
     case Keyword::strcmp: {
       call.comma();
-      const int order = text.compare(parse_string(in));
-      result = (order > 0) - (order < 0);
+      result = compare_codes(text, parse_string(in));
       break;
     }
     default:  // val: the number that the string begins with

@@ -102,7 +102,9 @@ class Interpreter final : public TokenStream {
   void read_permissions();
   void run_directive() override;
   void obey(const Token& word, std::uint32_t hash);
+  // version_directive.cpp
   void run_version(const Token& word, bool first);
+  void change_defaults(const Token& word);
   void run_message(const Token& word);
   void run_undef(const Token& word);
   void run_include(const Token& word);
@@ -185,6 +187,8 @@ class Interpreter final : public TokenStream {
   void note_broken_names(std::uint32_t begin, std::uint32_t end);
   // progress.cpp
   void look_around() override;
+  // memory.cpp
+  void charge(const Value& value, const Location& at);
 
   SceneContext& context_;
   LanguageState language_;
@@ -200,6 +204,8 @@ class Interpreter final : public TokenStream {
   bool include_failed_ = false;
   std::set<std::tuple<std::string, std::size_t, std::size_t>> reported_places_;  // file, line, column
   std::set<std::uint32_t> broken_names_;
+  // Bytes of strings, arrays and dictionaries made since they were counted, with what was counted then.
+  std::size_t charged_ = 0, next_count_ = 0;
   // For ParseProgress.
   using Clock = std::chrono::steady_clock;
   Clock::time_point began_ = Clock::now(), last_told_ = began_;

@@ -8,7 +8,7 @@ namespace firstlight::parser {
 /// Source   POV-Ray 3.7: `#version`, `assumed_gamma`, and what it does at the end of a scene that has neither.
 class LanguageState {
  public:
-  static constexpr int kNewest = 370;
+  static constexpr int kNewest = 380;
 
   /// The version that `version` gives and most rules ask for; 3.7 until a #version.
   int version() const { return version_; }
@@ -18,6 +18,10 @@ class LanguageState {
   bool version_stated_late() const { return version_stated_late_; }
   /// `first` when nothing significant stands before the directive.
   void set_version(int version, bool first);
+
+  /// What the bytes of a string literal mean that are not ASCII.
+  render::Charset charset() const { return charset_; }
+  void set_charset(render::Charset charset) { charset_ = charset; }
 
   bool gamma_stated() const { return gamma_stated_; }
   render::WorkingGamma gamma() const { return gamma_; }
@@ -31,9 +35,10 @@ class LanguageState {
   void store(render::Settings& settings) const;
 
  private:
-  int version_ = kNewest;
+  int version_ = 370;
   bool version_stated_ = false;
   bool version_stated_late_ = false;
+  render::Charset charset_ = render::Charset::ascii;
   bool gamma_stated_ = false;
   render::WorkingGamma gamma_ = render::WorkingGamma::unmanaged;
   double exponent_ = 1.0;

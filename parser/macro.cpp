@@ -55,6 +55,7 @@ void Interpreter::call_macro(const Token& name, const std::shared_ptr<const Macr
                                   std::string(name.text) + "', found " + std::to_string(arguments.size()));
       }
       Argument argument = parse_argument(true);
+      charge(argument.value, name.location);
       arguments.push_back(argument.reference ? std::move(argument.reference)
                                              : std::make_shared<Value>(std::move(argument.value)));
     }

@@ -135,6 +135,7 @@ void parse_default(Reader& reader, SceneContext& context) {
   Token word;
   word.text = "default";
   word.location = reader.peek().location;
+  context.default_given = true;
   reader.open_block(word);
   while (accept_default(reader, context)) {
   }

@@ -76,6 +76,7 @@ bool accept_detail(Reader& reader, render::Settings& settings) {
     reader.warn(word, "'hf_gray_16' is ignored, as it is by POV-Ray 3.7");
   } else if (reader.accept(Keyword::charset)) {
     settings.charset = parse_charset(reader);
+    reader.interpreter().language().set_charset(settings.charset);
   } else if (reader.accept(Keyword::subsurface)) {
     parse_subsurface(reader, word, settings.subsurface);
   } else {

@@ -1,6 +1,7 @@
 #include "parser/scope.h"
 
 #include <algorithm>
+#include <unordered_set>
 #include <utility>
 
 namespace firstlight::parser {
@@ -33,6 +34,19 @@ Scopes::Slot Scopes::target(std::uint32_t symbol, bool local) {
 void Scopes::bind(std::uint32_t symbol, Slot slot) {
   bindings(symbol).push_back({current(), std::move(slot)});
   symbols_of_scope_.back().push_back(symbol);
+}
+
+std::size_t Scopes::bytes() const {
+  constexpr std::size_t kSmall = 4096;  // not worth finding out whether it was counted
+  std::unordered_set<const Value*> counted;
+  std::size_t bytes = 0;
+  for (const std::vector<Binding>& stack : bindings_) {
+    for (const Binding& binding : stack) {
+      const std::size_t size = bytes_of(*binding.slot);
+      if (size < kSmall || counted.insert(binding.slot.get()).second) bytes += size;
+    }
+  }
+  return bytes;
 }
 
 std::vector<std::string> Scopes::declared_names(const Symbols& symbols) const {

@@ -19,6 +19,7 @@ struct SceneContext {
   /// One layer; `#default` replaces it. Never null; shared by all objects that use it.
   render::TexturePtr default_texture =
       std::make_shared<const render::Texture>(render::Texture{std::vector<render::TextureLayer>(1)});
+  bool default_given = false;          ///< there was a `#default`
   bool default_pigment_given = false;  ///< a `#default` has set the pigment
   render::Camera default_camera;
   render::Camera camera;   ///< the scene's so far; before version 3.5 a further camera statement goes on from it

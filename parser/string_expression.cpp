@@ -173,34 +173,49 @@ std::string parse_string_function(Interpreter& in, const Token& word) {
   return result;
 }
 
+// The character that an escape stands for; `at` is behind the backslash and moves to its last letter.
+std::string unescape_one(Interpreter& in, const Token& literal, std::size_t& at) {
+  const std::string_view raw = literal.text;
+  constexpr std::string_view kLetters = "abfnrtv\\'\"";
+  constexpr std::string_view kMeanings = "\a\b\f\n\r\t\v\\'\"";
+  const std::size_t known = kLetters.find(raw[at]);
+  if (known != std::string_view::npos) return std::string(1, kMeanings[known]);
+  if (raw[at] != 'u') {
+    in.fail(literal.location, std::string("'\\") + raw[at] + "' is no escape sequence of strings");
+  }
+  unsigned code = 0;
+  const char* digits = raw.data() + at + 1;
+  if (at + 4 >= raw.size() || std::from_chars(digits, digits + 4, code, 16).ptr != digits + 4) {
+    in.fail(literal.location, "expected four hexadecimal digits after '\\u' in this string");
+  }
+  at += 4;
+  return encode(code);
+}
+
 }  // namespace
 
 std::string unescape(Interpreter& in, const Token& literal) {
   const std::string_view raw = literal.text;
-  if (raw.find('\\') == std::string_view::npos) return std::string(raw);
+  const bool ascii = in.language().charset() == render::Charset::ascii;
+  const bool latin = ascii && in.language_version() < 350;
+  bool replaced = false;
   std::string result;
   for (std::size_t i = 0; i < raw.size(); ++i) {
-    if (raw[i] != '\\' || i + 1 == raw.size()) {
+    const auto byte = static_cast<unsigned char>(raw[i]);
+    if (raw[i] == '\\' && i + 1 < raw.size()) {
+      result += unescape_one(in, literal, ++i);
+    } else if (byte < 0x80 || !ascii) {
       result += raw[i];
-      continue;
-    }
-    const char kind = raw[++i];
-    constexpr std::string_view kLetters = "abfnrtv\\'\"";
-    constexpr std::string_view kMeanings = "\a\b\f\n\r\t\v\\'\"";
-    const std::size_t known = kLetters.find(kind);
-    if (known != std::string_view::npos) {
-      result += kMeanings[known];
-    } else if (kind == 'u' && i + 4 < raw.size()) {
-      unsigned code = 0;
-      const char* digits = raw.data() + i + 1;
-      if (std::from_chars(digits, digits + 4, code, 16).ptr != digits + 4) {
-        in.fail(literal.location, "expected four hexadecimal digits after '\\u' in this string");
-      }
-      result += encode(code);
-      i += 4;
     } else {
-      in.fail(literal.location, std::string("'\\") + kind + "' is no escape sequence of strings");
+      result += latin ? encode(byte) : " ";
+      replaced = replaced || !latin;
     }
+  }
+  if (replaced) {
+    in.warn(
+        literal.location,
+        "characters of this string that are not ASCII are taken as blanks; 'charset utf8' in 'global_settings' keeps "
+        "them");
   }
   return result;
 }
@@ -239,13 +254,30 @@ unsigned first_code_of(const std::string& text) {
   return ((byte(0) & 0x0fu) << 12) | ((byte(1) & 0x3fu) << 6) | (byte(2) & 0x3fu);
 }
 
+int compare_codes(const std::string& left, const std::string& right) {
+  std::size_t at = static_cast<std::size_t>(std::mismatch(left.begin(), left.end(), right.begin(), right.end()).first -
+                                            left.begin());
+  while (
+      at > 0 && at < std::max(left.size(), right.size()) &&
+      ((at < left.size() && continues_character(left[at])) || (at < right.size() && continues_character(right[at])))) {
+    --at;
+  }
+  return static_cast<int>(first_code_of(left.substr(std::min(at, left.size())))) -
+         static_cast<int>(first_code_of(right.substr(std::min(at, right.size()))));
+}
+
 double value_of(const std::string& text) {
   std::size_t start = text.find_first_not_of(" \t\n\r\v\f");
   if (start == std::string::npos) return 0.0;
-  if (text[start] == '+') ++start;
+  const bool negative = text[start] == '-';
+  if (negative || text[start] == '+') ++start;
+  const bool hexadecimal = text.size() > start + 2 && text[start] == '0' && (text[start + 1] | 0x20) == 'x';
+  if (hexadecimal) start += 2;
+  if (start < text.size() && (text[start] == '-' || text[start] == '+')) return 0.0;
   double result = 0.0;
-  std::from_chars(text.data() + start, text.data() + text.size(), result);
-  return result;
+  std::from_chars(text.data() + start, text.data() + text.size(), result,
+                  hexadecimal ? std::chars_format::hex : std::chars_format::general);
+  return negative ? -result : result;
 }
 
 }  // namespace firstlight::parser

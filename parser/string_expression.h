@@ -19,6 +19,8 @@ std::string unescape(Interpreter& in, const Token& literal);
 std::size_t length_of(const std::string& text);
 /// The code of the first character, 0 for an empty string.
 unsigned first_code_of(const std::string& text);
+/// The difference of the first characters that differ, as strcmp() has it; 0 for equal strings.
+int compare_codes(const std::string& left, const std::string& right);
 /// The number that `text` begins with, 0 when it begins with none.
 double value_of(const std::string& text);
 

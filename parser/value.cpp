@@ -59,6 +59,20 @@ std::uint32_t depth_of(const Value& value) {
   return 0;
 }
 
+std::size_t bytes_of(const Value& value) {
+  constexpr std::size_t kEntry = 128;  // of a map, about
+  std::size_t bytes = 0;
+  if (const auto* text = std::get_if<std::string>(&value)) return text->size();
+  if (const auto* array = std::get_if<std::shared_ptr<Array>>(&value)) {
+    for (const Value& element : (*array)->elements) bytes += sizeof(Value) + bytes_of(element);
+  } else if (const auto* dictionary = std::get_if<std::shared_ptr<Dictionary>>(&value)) {
+    for (const auto& [key, entry] : (*dictionary)->entries) {
+      bytes += kEntry + key.size() + sizeof(Value) + bytes_of(*entry);
+    }
+  }
+  return bytes;
+}
+
 Value copy_of(const Value& value) {
   if (const auto* array = std::get_if<std::shared_ptr<Array>>(&value)) {
     auto copy = std::make_shared<Array>(**array);

@@ -105,6 +105,8 @@ struct Unsupported {
 bool picks_part(const Value& value, const Token& next);
 /// How deeply arrays and dictionaries are nested in it: 0 when it is none.
 std::uint32_t depth_of(const Value& value);
+/// Bytes that it holds beside itself, in strings, arrays and dictionaries.
+std::size_t bytes_of(const Value& value);
 /// A copy that shares nothing that can be changed.
 Value copy_of(const Value& value);
 /// Number that tells kinds of value apart, numbers by their count.

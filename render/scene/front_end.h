@@ -34,6 +34,7 @@ struct LoadOptions {
   /// Files in the syntax of povray.conf, each of which must permit what a scene reads and writes. None: what a plain
   /// installation permits.
   std::vector<std::string> permission_files;
+  std::size_t value_memory = std::size_t{1} << 31;  ///< bytes that the scene's strings and arrays may take up
   double clock = 0.0;
   bool parse_only = false;  ///< what cannot be rendered is listed in the summary, not refused
   /// Called for every diagnostic as it arises; may be empty. The result holds them all the same.

@@ -1,0 +1,80 @@
+#include "tests/parser/evaluated.h"
+
+namespace firstlight::parser {
+namespace {
+
+std::string errors_within(std::size_t memory, const std::string& text) {
+  const SceneFile file("#version 3.7; global_settings { assumed_gamma 1 } camera { }\n" + text);
+  render::LoadOptions options;
+  options.value_memory = memory;
+  return errors(PovFrontEnd().load(file.path(), options));
+}
+
+constexpr std::size_t kMemory = 8 << 20;
+constexpr const char* kTooLarge = "the strings and arrays of this scene are too large (limit 8 MiB)\n";
+
+TEST(Limit, StringsOfAllNamesTogetherAreBounded) {
+  const std::string half = "#declare S = \"0123456789abcdef\"; #for (I, 1, 15) #declare S = concat(S, S); #end\n";
+  EXPECT_EQ(errors_within(kMemory, half + "#declare A = array[100]; #for (I, 0, 99) #declare A[I] = S; #end"),
+            kTooLarge);
+  EXPECT_EQ(errors_within(kMemory, half + "#declare A = array[100]; #for (I, 0, 99) #declare A[1] = S; #end"), "");
+}
+
+TEST(Limit, ArraysThatAreCopiedAreBounded) {
+  EXPECT_EQ(errors_within(kMemory,
+                          "#declare D = dictionary { .A: array[1000] };\n"
+                          "#for (I, 1, 18) #declare D[str(I, 0, 0)] = dictionary { .X: D.A, .Y: D.A }; "
+                          "#declare D.A = array { D.A, D.A }; #end"),
+            kTooLarge);
+}
+
+TEST(Limit, ValuesThatAreGoneDoNotCount) {
+  EXPECT_EQ(
+      errors_within(kMemory, "#macro M() #local A = array[20000]; #declare A[5] = 1; #end #for (I, 1, 100) M() #end"),
+      "");
+}
+
+TEST(Version, FollowingOnesHaveTheirOwnDefaults) {
+  const auto scene_in = [](const std::string& version) {
+    const SceneFile file("#version " + version +
+                         "; global_settings { assumed_gamma 1 } camera { location -5*z look_at 0 }\n"
+                         "sphere { 0, 1 }");
+    render::LoadOptions options;
+    options.width = 400;
+    options.height = 200;
+    return std::move(PovFrontEnd().load(file.path(), options).scene);
+  };
+  const auto old = scene_in("3.7"), following = scene_in("unofficial 3.8");
+  ASSERT_TRUE(old && following);
+  EXPECT_FLOAT_EQ(finish_of(*old).ambient.x, 0.1f);
+  EXPECT_FLOAT_EQ(finish_of(*following).ambient.x, 0.0f);
+  EXPECT_FLOAT_EQ(color_of(*following, {}).rgb.x, 1.0f);
+  EXPECT_NEAR(old->camera.right.dot(old->camera.right), 1.33 * 1.33, 1e-9);
+  EXPECT_NEAR(following->camera.right.dot(following->camera.right), 4.0, 1e-9);
+}
+
+TEST(Version, ARangeOfThemIsKnown) {
+  EXPECT_EQ(debugged("#version 1.0; #debug str(version, 0, 2)"), "1.00");
+  EXPECT_EQ(debugged("#version 3.9;"), "error: expected a version of the language from 1.0 to 3.8, found number 3.9");
+}
+
+TEST(Charset, OtherBytesThanAsciiAreBlanksUnlessItSaysWhatTheyMean) {
+  EXPECT_EQ(debugged("#debug \"a\xc3\xa4z\""), "a  z");
+  EXPECT_EQ(debugged("#version 3.1; #debug \"a\xe4z\""), "a\xc3\xa4z");
+  EXPECT_EQ(debugged("global_settings { charset utf8 } #debug concat(\"a\xc3\xa4z\", str(strlen(\"\xc3\xa4\"), 0, 0))"),
+            "a\xc3\xa4z1");
+  EXPECT_EQ(debugged("global_settings { charset ascii } #debug \"\xc3\xa4\""), "  ");
+  EXPECT_EQ(debugged("global_settings { charset sys } #debug \"\xc3\xa4\""), "\xc3\xa4");
+}
+
+TEST(StringFunction, ComparesAndReadsNumbersAsPovRayDoes) {
+  EXPECT_EQ(number("strcmp(\"ab\", \"a\")", 0), "98");
+  EXPECT_EQ(number("strcmp(\"Z\", \"a\")", 0), "-7");
+  EXPECT_EQ(number("strcmp(\"a\", \"a\")", 0), "0");
+  EXPECT_EQ(number("val(\"0x10\")", 1), "16.0");
+  EXPECT_EQ(number("val(\" -2.5e1x\")", 1), "-25.0");
+  EXPECT_EQ(number("val(\"--3\")", 1), "0.0");
+}
+
+}  // namespace
+}  // namespace firstlight::parser
