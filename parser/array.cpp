@@ -30,10 +30,18 @@ Scopes::Slot Interpreter::pick_part(const Scopes::Slot& container, const Token& 
       picked_ = {nullptr, level};
     }
     if (purpose == Pick::value && std::holds_alternative<std::monostate>(*slot)) {
-      fail(name.location, "this element of '" + std::string(name.text) + "' has no value yet");
+      fail_without_value(name);
     }
   }
   return slot;
+}
+
+// The mistake may be where it should have got its value.
+void Interpreter::fail_without_value(const Token& name) {
+  SyntaxError error = error_at(name.location, "this element of '" + std::string(name.text) + "' has no value yet");
+  error.undeclared = name.symbol;
+  add_call_chain(error.diagnostics);
+  throw error;
 }
 
 Scopes::Slot Interpreter::pick_element(const std::shared_ptr<Array>& array, const Token& name, Pick purpose) {

@@ -153,6 +153,7 @@ class Interpreter final : public TokenStream {
   // array.cpp
   Scopes::Slot pick_part(const Scopes::Slot& container, const Token& name, Pick purpose) override;
   Scopes::Slot pick_element(const std::shared_ptr<Array>& array, const Token& name, Pick purpose);
+  [[noreturn]] void fail_without_value(const Token& name);
   std::size_t parse_subscripts(const Array& array, const Token& name);
   Value parse_array();
   void parse_initializer(Array& array, std::size_t dimension, std::size_t& element, const Token& owner);

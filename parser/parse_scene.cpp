@@ -83,7 +83,10 @@ void parse_scene(Reader& reader, SceneContext& context) {
   }
   if (interpreter.has_failed()) return;
   const Token end = reader.peek();
-  if (!context.builder.has_camera()) reader.fail(end, "expected a camera, found none in the whole scene");
+  if (!context.builder.has_camera()) {
+    reader.warn(end, "there is no camera in the scene; the default one is taken");
+    context.builder.set_camera(context.default_camera);
+  }
   if (context.size == 0) reader.warn(end, "there are no objects in the scene");
 }
 

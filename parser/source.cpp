@@ -131,9 +131,8 @@ SourceFiles::Result SourceFiles::find_file(const std::string& name, const std::v
   if (name.empty() || name.find('\0') != std::string::npos) return {Status::missing, nullptr, name, false};
   const Found found = find(candidate_names(name, extensions), from);
   if (found.path.empty()) return {Status::missing, nullptr, name, false};
-  const bool allowed = may_read(resolved(found.path));
-  return {allowed ? Status::found : Status::forbidden, nullptr, found.path.lexically_normal().string(),
-          found.other_case};
+  return {may_read_found(found.path) ? Status::found : Status::forbidden, nullptr,
+          found.path.lexically_normal().string(), found.other_case};
 }
 
 SourceFiles::Result SourceFiles::place_for_writing(const std::string& name) const {
@@ -169,6 +168,14 @@ SourceFiles::Found SourceFiles::find(const std::vector<std::string>& names, cons
     }
   }
   return {};
+}
+
+// A link in a standard folder, such as one to a font, is the installation's own and may lead out of it.
+bool SourceFiles::may_read_found(const fs::path& path) const {
+  const fs::path folder = resolved(path.parent_path());
+  const bool standard = std::any_of(kStandardIncludeFolders.begin(), kStandardIncludeFolders.end(),
+                                    [&](const char* name) { return resolved(name) == folder; });
+  return may_read(standard ? folder / path.filename() : resolved(path));
 }
 
 bool SourceFiles::may_read(const fs::path& path) const {

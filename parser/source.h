@@ -68,6 +68,7 @@ class SourceFiles {
   };
   Found find(const std::vector<std::string>& names, const SourceFile& from) const;
   bool may_read(const std::filesystem::path& canonical) const;
+  bool may_read_found(const std::filesystem::path& path) const;
   Result read_found(Result found);
   Result read(const std::filesystem::path& path, std::string name);
 

@@ -171,6 +171,7 @@ class TokenStream {
   void return_to(const Checkpoint& place);
   void drop_blocks() { blocks_.clear(); }
   void report(const render::Diagnostic& message);
+  void add_call_chain(render::Diagnostics& messages) const;
   SyntaxError error_at(const Location& at, std::string message);
   /// Just behind the token that was taken last.
   Location behind_last_token() const;
@@ -194,7 +195,6 @@ class TokenStream {
   bool is_held() const { return hold_.held && blocks_.size() <= hold_.blocks; }
   void settle();
   bool settle_name(const Token& name);
-  void add_call_chain(render::Diagnostics& messages) const;
 
   // The token that peek() gives. `pending_`: it is a `#` or a macro's name, shown because of a Hold.
   const Token* next_ = nullptr;

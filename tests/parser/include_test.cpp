@@ -181,9 +181,7 @@ INSTANTIATE_TEST_SUITE_P(
                               370}));
 
 TEST(Version, IsAValueToo) { EXPECT_EQ(debugged("#debug str(version, 0, 2)"), "3.70"); }
-TEST(Version, ANewerOneIsAnError) {
-  EXPECT_EQ(debugged("#version 3.8;"), "error: expected a version of the language from 1.0 to 3.7, found number 3.8");
-}
+TEST(Include, ALinkOfTheInstallationMayLeadOutOfIt) { EXPECT_EQ(number("file_exists(\"timrom.ttf\")", 0), "1"); }
 
 }  // namespace
 }  // namespace firstlight::parser

@@ -112,10 +112,11 @@ TEST(ParseScene, BackgroundIsMixedWithBlackWhereItTransmits) {
   EXPECT_FLOAT_EQ(scene->settings.background.y, 0.25f);
 }
 
-TEST(ParseScene, SceneWithoutACameraIsAnError) {
-  const auto result = load_bare("#version 3.7; sphere { 0, 1 }\n");
-  EXPECT_FALSE(result.scene);
-  EXPECT_NE(errors(result).find("expected a camera"), std::string::npos);
+TEST(ParseScene, SceneWithoutACameraGetsTheDefaultOne) {
+  const auto result = load_bare("#version 3.7; global_settings { assumed_gamma 1 } sphere { 0, 1 }\n");
+  ASSERT_TRUE(result.scene);
+  EXPECT_EQ(warnings(result), "there is no camera in the scene; the default one is taken\n");
+  EXPECT_EQ(result.scene->camera.location.z, Camera().location.z);
 }
 
 TEST(ParseScene, SceneWithoutObjectsIsAWarning) {

@@ -39,6 +39,11 @@ TEST(Recovery, WhatFollowsFromAMistakeIsNotTold) {
             "3:13 expected a numeric expression, found undeclared identifier 'Unknown'\n");
 }
 
+TEST(Recovery, AnElementThatGotNoValueIsNotTold) {
+  EXPECT_EQ(places("#declare A = array[2];\n#declare A[0] = 1 +;\n#declare B = A[0];\nsphere { 0, A[1] }\n"),
+            "2:21 expected a numeric expression, found ';'\n");
+}
+
 TEST(Recovery, NamesOfAMissingFileAreNotTold) {
   EXPECT_EQ(places("#include \"missing_words.inc\"\nsphere { 0, 1 texture { Missing } }\nsphere { 0 }\n"),
             "1:10 there is no file 'missing_words.inc' in the current folder, the scene's or the library folders\n"
