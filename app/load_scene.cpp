@@ -20,7 +20,9 @@ render::LoadResult load_scene(const Options& options, const render::FrontEnd& fr
     ++shown;
     if (options.quiet && diagnostic.severity != render::Diagnostic::Severity::error) return;
     line.clear();
-    fmt::print(stderr, "{}\n", render::format(diagnostic));
+    // The scene's own output is as POV-Ray writes it: as it is, so that pieces can make up a line.
+    const bool own = diagnostic.severity == render::Diagnostic::Severity::debug;
+    fmt::print(stderr, "{}", own ? diagnostic.message : render::format(diagnostic) + "\n");
   };
   load.report = show;
   load.stop = stop;

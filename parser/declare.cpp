@@ -52,12 +52,19 @@ void round_color(Numbers& numbers) {
 
 Interpreter::Target Interpreter::parse_target(const Token& word) {
   Target target;
+  std::optional<Deprecation> deprecation;
   if (raw_next().is(Keyword::deprecated)) {
     take_raw();
-    if (raw_next().is(Keyword::once)) take_raw();
-    if (raw_next().kind == TokenKind::string) take_raw();
+    deprecation.emplace();
+    deprecation->once = raw_next().is(Keyword::once);
+    if (deprecation->once) take_raw();
+    if (raw_next().kind == TokenKind::string) deprecation->message = unescape(*this, take_raw());
   }
   target.name = take_identifier(word);
+  if (deprecation) {
+    if (deprecation->message.empty()) deprecation->message = "'" + std::string(target.name.text) + "' is deprecated";
+    deprecated_[target.name.symbol] = std::move(*deprecation);
+  }
   const Scopes::Binding* binding = scopes_.find(target.name.symbol);
   if (binding != nullptr && std::holds_alternative<std::shared_ptr<const Macro>>(*binding->slot)) {
     fail(target.name.location, "expected an identifier after '#" + std::string(word.text) + "', found the macro '" +

@@ -213,9 +213,10 @@ void Interpreter::run_message(const Token& word) {
     warn(word.location, "'#" + std::string(word.text) + "' writes where '#debug' does");
   }
   std::string text = parse_string(*this);
+  const bool debug = !word.is(Keyword::error) && !word.is(Keyword::warning);
+  if (!debug && text.ends_with('\n')) text.pop_back();  // a message ends its line itself
   if (word.is(Keyword::error)) fail_finally(word.location, "stopped by '#error': " + text);
-  report(word.location, std::move(text),
-         word.is(Keyword::warning) ? Diagnostic::Severity::warning : Diagnostic::Severity::debug);
+  report(word.location, std::move(text), debug ? Diagnostic::Severity::debug : Diagnostic::Severity::warning);
 }
 
 void Interpreter::run_undef(const Token& word) {

@@ -73,6 +73,7 @@ bool TokenStream::settle_name(const Token& name) {
   const Value* value = nullptr;
   bool is_macro = false;
   if (binding != nullptr) {
+    if (!deprecated_.empty()) warn_of_deprecated(name);
     value = binding->slot.get();
     if (const auto* macro = std::get_if<std::shared_ptr<const Macro>>(value)) {
       is_macro = true;
@@ -91,6 +92,13 @@ bool TokenStream::settle_name(const Token& name) {
   pending_ = is_macro;
   settled_ = true;
   return true;
+}
+
+void TokenStream::warn_of_deprecated(const Token& name) {
+  const auto found = deprecated_.find(name.symbol);
+  if (found == deprecated_.end()) return;
+  warn(name.location, found->second.message);
+  if (found->second.once) deprecated_.erase(found);
 }
 
 void TokenStream::unsettle() {

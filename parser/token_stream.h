@@ -133,6 +133,12 @@ class TokenStream {
     std::shared_ptr<const Macro> macro;
     Location call;  ///< of the macro's name, or of the #include
   };
+  /// What `#declare deprecated` says of a name.
+  struct Deprecation {
+    std::string message;
+    bool once = false;  ///< a warning at the first use is enough
+  };
+
   /// A place to return to when a value turns out to be none that can be rendered.
   struct Checkpoint {
     std::size_t frames = 0;
@@ -185,10 +191,12 @@ class TokenStream {
   std::vector<Frame> frames_;
   std::vector<Token> blocks_;  // owners of the open braces
   StatementStart statement_;
+  std::map<std::uint32_t, Deprecation> deprecated_;  // by symbol
 
  private:
   static constexpr std::uint64_t kTokensBetweenLooks = 1u << 12;
 
+  void warn_of_deprecated(const Token& name);
   void note_statement(std::uint32_t position) {
     if (nesting_ == 0 && blocks_.empty()) statement_ = {frames_.size(), position};
   }

@@ -97,8 +97,34 @@ TEST(Message, ErrorStopsTheScene) {
 TEST(Message, WarningGoesOn) {
   EXPECT_EQ(messages(load("#warning \"careful\" sphere { 0, 1 }"), render::Diagnostic::Severity::warning), "careful\n");
 }
+TEST(Message, WarningEndsItsLineItself) {
+  EXPECT_EQ(messages(load("#warning \"careful\\n\" sphere { 0, 1 }"), render::Diagnostic::Severity::warning),
+            "careful\n");
+}
+TEST(Message, RenderAndStatisticsGoWhereDebugGoes) {
+  const auto result = load("#render \"r\\n\" #statistics \"s\" sphere { 0, 1 }");
+  EXPECT_EQ(messages(result, render::Diagnostic::Severity::debug), "r\n\ns\n");
+  EXPECT_EQ(warnings(result), "'#render' writes where '#debug' does\n'#statistics' writes where '#debug' does\n");
+}
+TEST(Declare, ADeprecatedNameWarnsWhenItIsUsed) {
+  EXPECT_EQ(warnings(load("#declare deprecated once \"old one\" A = 1; #declare deprecated B = 1;\n"
+                          "sphere { 0, A + A + B + B }")),
+            "old one\n'B' is deprecated\n'B' is deprecated\n");
+}
+TEST(Directive, AnUndeclaredNameMayBeUndefined) {
+  EXPECT_EQ(warnings(load("#undef Nothing sphere { 0, 1 }")),
+            "'Nothing' is not declared, so '#undef' changes nothing\n");
+}
+TEST(Directive, AChoiceMayEndInTheFileThatIncludesIt) {
+  const SceneFile open("#if (1) #debug \"a\""), closed("#if (0) #debug \"b\" #else"),
+      middle("#debug \"x\" #else #debug \"y\"");
+  EXPECT_EQ(debugged("#include \"" + open.path() + "\" #debug \"c\" #else #debug \"d\" #end #debug \"e\""), "ace");
+  EXPECT_EQ(debugged("#include \"" + closed.path() + "\" #debug \"c\" #end #debug \"e\""), "ce");
+  EXPECT_EQ(debugged("#if (1) #include \"" + middle.path() + "\" #debug \"z\" #end #debug \"e\""), "xe");
+}
 TEST(Directive, AMisspeltOneIsAnError) {
-  EXPECT_EQ(debugged("#delcare A = 1;"), "error: expected a directive after '#', found 'delcare'; did you mean 'declare'?");
+  EXPECT_EQ(debugged("#delcare A = 1;"),
+            "error: expected a directive after '#', found 'delcare'; did you mean 'declare'?");
 }
 
 TEST(Array, KeepsItsValues) {
