@@ -41,7 +41,7 @@ TEST(Recovery, WhatFollowsFromAMistakeIsNotTold) {
 
 TEST(Recovery, AnElementThatGotNoValueIsNotTold) {
   EXPECT_EQ(places("#declare A = array[2];\n#declare A[0] = 1 +;\n#declare B = A[0];\nsphere { 0, A[1] }\n"),
-            "2:21 expected a numeric expression, found ';'\n");
+            "2:20 expected a numeric expression, found ';'\n");
 }
 
 TEST(Recovery, NamesOfAMissingFileAreNotTold) {
