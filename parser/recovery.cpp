@@ -65,7 +65,7 @@ void Interpreter::recover(const SyntaxError& error) {
   if (error.fatal || frames_.empty()) throw error;
   report_mistake(error);
   unsettle();
-  while (frames_.size() > statement_.frames) {
+  while (frames_.size() > std::max<std::size_t>(statement_.frames, 1)) {
     note_broken_names(frames_.back().position, frames_.back().end);
     leave_frame();
   }
