@@ -1,6 +1,7 @@
 #!/usr/bin/env bash
 # Runs every test: the release build with all of them (unit tests, and POV-Ray as the reference), then the unit tests
-# again under AddressSanitizer + UndefinedBehaviorSanitizer and under ThreadSanitizer. Needs no display.
+# again under AddressSanitizer + UndefinedBehaviorSanitizer and under ThreadSanitizer, then a minute of random scenes for
+# the parser. Needs no display.
 # Installs what is missing (Debian packages), builds what changed. The last line is the count of all of them.
 set -uo pipefail
 
@@ -52,4 +53,5 @@ install_missing $build_packages $test_packages || { failed=1; finish; }
 run release all
 run asan firstlight_unit_tests -L unit
 run tsan firstlight_unit_tests -L unit
+run fuzz firstlight_parser_fuzz -L fuzz
 finish

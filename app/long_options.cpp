@@ -77,7 +77,7 @@ LongOptions::LongOptions(CommandLine& out)
   text("--front-end", options.front_end, "Read the scene with a loadable module", "FILE");
   app_->add_flag("--quiet", options.quiet, "Show errors only");
   app_->add_flag("--parse-only", options.parse_only,
-                "Read the scene, say what is in it and what cannot be rendered, and leave");
+                 "Read the scene, say what is in it and what cannot be rendered, and leave");
   app_->add_flag("--json", options.json, "With --parse-only: say it as JSON");
 }
 

@@ -76,7 +76,7 @@ int run(std::vector<std::string> arguments, std::chrono::steady_clock::time_poin
   if (!line.errors.empty()) return firstlight::app::kExitFailure;
   watch_signal(SIGINT);
   watch_signal(SIGTERM);
-  if (line.options.parse_only) return firstlight::app::parse_command(line.options);
+  if (line.options.parse_only) return firstlight::app::parse_command(line.options, g_stop);
   return firstlight::app::render_command(line.options, start, g_stop);
 }
 

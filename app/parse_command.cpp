@@ -41,7 +41,7 @@ std::string to_json(const std::string& scene, const render::SceneSummary& summar
   return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 
-int parse_command(const Options& options) {
+int parse_command(const Options& options, const std::atomic<bool>& stop) {
   const ChosenFrontEnd front_end(options.front_end);
   if (!front_end.error().empty()) {
     fmt::print(stderr, "firstlight: error: {}\n", front_end.error());
@@ -49,9 +49,9 @@ int parse_command(const Options& options) {
   }
   ProgressLine line(options.quiet);
   line.stage("reading the scene");
-  const render::LoadResult loaded = load_scene(options, *front_end, line);
+  const render::LoadResult loaded = load_scene(options, *front_end, line, &stop);
   line.clear();
-  if (loaded.scene == nullptr) return kExitFailure;
+  if (loaded.scene == nullptr) return stop ? kExitInterrupted : kExitFailure;
   fmt::print("{}", options.json ? to_json(options.scene, loaded.summary) : to_text(options.scene, loaded.summary));
   return 0;
 }

@@ -127,9 +127,9 @@ int render_command(const Options& options, Clock::time_point start, const std::a
 
   line.stage("reading the scene");
   const auto parse_begin = Clock::now();
-  const render::LoadResult loaded = load_scene(options, *front_end, line);
+  const render::LoadResult loaded = load_scene(options, *front_end, line, &stop);
   stats.parse = seconds_between(parse_begin, Clock::now());
-  if (loaded.scene == nullptr) return kExitFailure;
+  if (loaded.scene == nullptr) return stop ? kExitInterrupted : kExitFailure;
   const render::Scene& scene = *loaded.scene;
   stats.remaining_is_bound = render::RadianceBound(scene).known();
   render::Film film(options.width, options.height);

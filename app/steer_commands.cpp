@@ -81,7 +81,8 @@ SteerCommands::Answer SteerCommands::answer(std::string_view line) {
 
 std::string SteerCommands::unknown(std::string_view name) {
   // Garbage is not repeated.
-  const bool is_word = name.size() <= 40 && std::ranges::all_of(name, [](unsigned char c) { return c > ' ' && c < 0x7f; });
+  const bool is_word =
+      name.size() <= 40 && std::ranges::all_of(name, [](unsigned char c) { return c > ' ' && c < 0x7f; });
   if (!is_word) return "error there is no such command; help lists all";
   std::vector<std::string> known;
   for (const Row& command : rows()) known.emplace_back(command.name);

@@ -93,8 +93,8 @@ int study_command(std::span<const std::string> arguments, const std::atomic<bool
   if (!front_end.error().empty()) return fail(front_end.error());
   ProgressLine progress(options.quiet);
   progress.stage("reading the scene");
-  const render::LoadResult loaded = load_scene(options, *front_end, progress);
-  if (loaded.scene == nullptr) return kExitFailure;
+  const render::LoadResult loaded = load_scene(options, *front_end, progress, &stop);
+  if (loaded.scene == nullptr) return stop ? kExitInterrupted : kExitFailure;
   const render::Accel accel(*loaded.scene);
 
   StudyPlan plan;

@@ -4,18 +4,17 @@
 // so that a machine that is slower for a minute is slower for all. Reported are medians, and the range of each ratio.
 // Usage: compare_times [--size 1024] [--rounds 7] [--threads 1] [--scene FILE.pov] [--without-povray]
 
+#include "tests/benchmark/paired.h"
 #include "tests/golden/process.h"
 
 #include <fmt/format.h>
 #include <CLI/CLI.hpp>
 #include <nlohmann/json.hpp>
 
-#include <algorithm>
-#include <charconv>
+#include <chrono>
 #include <filesystem>
 #include <fstream>
 #include <map>
-#include <optional>
 #include <stdexcept>
 #include <string>
 #include <vector>
@@ -23,6 +22,9 @@
 namespace {
 
 namespace fs = std::filesystem;
+using firstlight::benchmark::median;
+using firstlight::benchmark::povray_seconds;
+using firstlight::benchmark::ratio_text;
 using firstlight::golden::ProcessResult;
 using firstlight::golden::ScratchFolder;
 
@@ -43,12 +45,6 @@ struct Run {
   nlohmann::json stats;
 };
 
-double median(std::vector<double> values) {
-  std::sort(values.begin(), values.end());
-  const std::size_t middle = values.size() / 2;
-  return values.size() % 2 == 1 ? values[middle] : (values[middle - 1] + values[middle]) / 2;
-}
-
 ProcessResult run(std::vector<std::string> command, const Settings& settings, const ScratchFolder& scratch) {
   for (const std::string& option :
        {"+I" + settings.scene.filename().string(), "+O" + (scratch / "picture.png").string(),
@@ -62,18 +58,9 @@ ProcessResult run(std::vector<std::string> command, const Settings& settings, co
   return result;
 }
 
-/// POV-Ray's own measure: `Trace Time: 0 hours 0 minutes 13 seconds (13.633 seconds)`.
 Run run_povray(const Settings& settings, const ScratchFolder& scratch) {
   const ProcessResult result = run({"povray"}, settings, scratch);
-  const std::string text = result.out + result.err;
-  const std::size_t line = text.find("Trace Time:");
-  const std::size_t number = line == std::string::npos ? line : text.find('(', line);
-  Run measured;
-  if (number == std::string::npos ||
-      std::from_chars(text.data() + number + 1, text.data() + text.size(), measured.trace_s).ec != std::errc()) {
-    throw std::runtime_error("POV-Ray printed no trace time");
-  }
-  return measured;
+  return {povray_seconds("Trace Time:", result.out + result.err), {}};
 }
 
 Run run_firstlight(const std::string& scheme, const Settings& settings, const ScratchFolder& scratch) {
@@ -119,12 +106,7 @@ std::vector<double> trace_times(const std::vector<Run>& runs) {
 std::string ratio(const Table& table, const std::string& above, const std::string& below) {
   const auto over = table.find(above);
   if (over == table.end()) return "";
-  std::vector<double> ratios;
-  for (std::size_t i = 0; i < over->second.size(); ++i) {
-    ratios.push_back(over->second[i].trace_s / table.at(below)[i].trace_s);
-  }
-  const auto [least, most] = std::minmax_element(ratios.begin(), ratios.end());
-  return fmt::format("{:.2f} ({:.2f} to {:.2f})", median(ratios), *least, *most);
+  return ratio_text(trace_times(over->second), trace_times(table.at(below)));
 }
 
 void report(const Table& table, const Settings& settings) {

@@ -12,6 +12,7 @@ struct ProcessResult {
   int signal = 0;          ///< the signal that ended it, 0 for none
   bool timed_out = false;  ///< it was stopped at the time limit
   double seconds = 0;
+  long peak_kilobytes = 0;  ///< of memory, of the program itself
   std::string out;  ///< standard output
   std::string err;  ///< standard error
 
