@@ -1,6 +1,7 @@
 // #declare and #local, and the values that they and macro calls take.
 #include "parser/expression.h"
 #include "parser/interpreter.h"
+#include "parser/parse_function.h"
 #include "parser/reader.h"
 #include "parser/string_expression.h"
 
@@ -13,9 +14,7 @@ namespace {
 // Values that can be declared but not rendered.
 bool declares_something(Keyword word) {
   switch (word) {
-    case Keyword::function:
     case Keyword::normal:
-    case Keyword::spline:
     case Keyword::pigment_map:
     case Keyword::normal_map:
     case Keyword::slope_map:
@@ -142,7 +141,8 @@ Interpreter::Argument Interpreter::parse_argument(bool parameter) {
     }
   }
   const bool by_reference = parameter && name.slot && name.scope <= caller;
-  if (name.slot && !std::holds_alternative<Numbers>(*name.slot)) {
+  const bool called = name.slot && at_call(*this) && raw_next().is(Punctuation::left_paren);
+  if (name.slot && !called && !std::holds_alternative<Numbers>(*name.slot)) {
     // A call of a function: says why that cannot be.
     if (raw_next().is(Punctuation::left_paren)) refuse_unsupported();
     take_binding();

@@ -1,6 +1,7 @@
 #include "parser/expression.h"
 
 #include "parser/interpreter.h"
+#include "parser/parse_function.h"
 #include "parser/string_expression.h"
 
 #include <limits>
@@ -117,6 +118,10 @@ Numbers parse_operand_alone(Interpreter& in, std::uint8_t terms) {
         const Numbers result = fitted(*numbers, terms);
         in.take();
         return result;
+      }
+      if (at_call(in)) {
+        const Numbers result = parse_call(in);
+        return result.size == 1 ? single(result.values[0], terms) : result;
       }
       if (std::holds_alternative<std::shared_ptr<const Unsupported>>(*value)) in.take();  // tells why
       break;
@@ -344,7 +349,7 @@ bool at_expression(Interpreter& in) {
   }
   if (token.kind == TokenKind::identifier) {
     const Value* value = in.peek_value();
-    return value != nullptr && std::holds_alternative<Numbers>(*value);
+    return value != nullptr && (std::holds_alternative<Numbers>(*value) || at_call(in));
   }
   return token.is(Punctuation::less) || token.is(Punctuation::left_paren) || token.is(Punctuation::plus) ||
          token.is(Punctuation::dash) || token.is(Punctuation::exclamation);
@@ -357,7 +362,9 @@ bool at_float(Interpreter& in) {
   if (token.kind == TokenKind::identifier) {
     const Value* value = in.peek_value();
     const auto* numbers = value != nullptr ? std::get_if<Numbers>(value) : nullptr;
-    return numbers != nullptr && numbers->size == 1;
+    if (numbers != nullptr) return numbers->size == 1;
+    const auto* function = value != nullptr ? std::get_if<render::FunctionPtr>(value) : nullptr;
+    return function != nullptr && (*function)->result_count() == 1;
   }
   return token.is(Punctuation::left_paren) || token.is(Punctuation::plus) || token.is(Punctuation::dash) ||
          token.is(Punctuation::exclamation);

@@ -1,8 +1,18 @@
 #include "parser/function_compiler.h"
 
+#include "parser/function_emitter.h"
+#include "parser/function_words.h"
+
 #include <algorithm>
+#include <array>
+#include <cmath>
 #include <cstddef>
+#include <cstdint>
+#include <iterator>
 #include <numbers>
+#include <optional>
+#include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -10,104 +20,11 @@ namespace firstlight::parser {
 
 namespace {
 
-using render::Instruction;
 using render::Operation;
 using render::Program;
 
 constexpr int kDeepest = 200;
-
-/// Instructions under construction. What depends on constants only is a constant at once.
-class Emitter {
- public:
-  void push(const Instruction& instruction) {
-    instructions_.push_back(instruction);
-    deepest_ = std::max(deepest_, ++size_);
-  }
-  void constant(double value) { push({Operation::constant, 0, value}); }
-  void parameter(std::size_t index) { push({Operation::parameter, static_cast<std::uint16_t>(index), 0.0}); }
-  void apply(Operation operation) {
-    const auto taken = static_cast<std::size_t>(operands(operation));
-    const bool known = std::all_of(instructions_.end() - static_cast<std::ptrdiff_t>(taken), instructions_.end(),
-                                   [](const Instruction& i) { return i.operation == Operation::constant; });
-    instructions_.push_back({operation, 0, 0.0});
-    size_ -= taken - 1;
-    if (!known) return;
-    const auto first = instructions_.end() - static_cast<std::ptrdiff_t>(taken) - 1;
-    const double value = Program({first, instructions_.end()}, 0).evaluate(std::span<const double>());
-    instructions_.erase(first, instructions_.end());
-    instructions_.push_back({Operation::constant, 0, value});
-  }
-  bool fits() const { return instructions_.size() <= Program::kMostInstructions && deepest_ <= Program::kDeepest; }
-  std::vector<Instruction> take() { return std::move(instructions_); }
-
- private:
-  std::vector<Instruction> instructions_;
-  std::size_t size_ = 0;
-  std::size_t deepest_ = 0;
-};
-
-struct Function {
-  Keyword word;
-  Operation operation;
-};
-
-constexpr Function kOfOne[] = {
-    {Keyword::abs, Operation::absolute},
-    {Keyword::acos, Operation::arc_cosine},
-    {Keyword::acosh, Operation::hyperbolic_arc_cosine},
-    {Keyword::asin, Operation::arc_sine},
-    {Keyword::asinh, Operation::hyperbolic_arc_sine},
-    {Keyword::atan, Operation::arc_tangent},
-    {Keyword::atanh, Operation::hyperbolic_arc_tangent},
-    {Keyword::ceil, Operation::ceiling},
-    {Keyword::cos, Operation::cosine},
-    {Keyword::cosh, Operation::hyperbolic_cosine},
-    {Keyword::degrees, Operation::degrees},
-    {Keyword::exp, Operation::exponential},
-    {Keyword::floor, Operation::floor},
-    {Keyword::int_, Operation::integer},
-    {Keyword::ln, Operation::natural_logarithm},
-    {Keyword::log, Operation::logarithm},
-    {Keyword::radians, Operation::radians},
-    {Keyword::sin, Operation::sine},
-    {Keyword::sinh, Operation::hyperbolic_sine},
-    {Keyword::sqr, Operation::square},
-    {Keyword::sqrt, Operation::square_root},
-    {Keyword::tan, Operation::tangent},
-    {Keyword::tanh, Operation::hyperbolic_tangent},
-};
-constexpr Function kOfTwo[] = {
-    {Keyword::atan2, Operation::arc_tangent_of_two},
-    {Keyword::div, Operation::integer_quotient},
-    {Keyword::mod, Operation::remainder},
-    {Keyword::pow, Operation::power},
-};
-constexpr Function kOfMany[] = {
-    {Keyword::max, Operation::maximum},
-    {Keyword::min, Operation::minimum},
-};
-
-const Operation* find(std::span<const Function> functions, Keyword word) {
-  const auto found = std::ranges::find(functions, word, &Function::word);
-  return found == functions.end() ? nullptr : &found->operation;
-}
-
-struct Binary {
-  Punctuation mark;
-  Operation operation;
-};
-
-/// The operators of two values by rank, the weakest first.
-constexpr Binary kOr[] = {{Punctuation::bar, Operation::logical_or}};
-constexpr Binary kAnd[] = {{Punctuation::ampersand, Operation::logical_and}};
-constexpr Binary kCompare[] = {
-    {Punctuation::equal, Operation::equal},     {Punctuation::not_equal, Operation::not_equal},
-    {Punctuation::less, Operation::less},       {Punctuation::less_equal, Operation::less_or_equal},
-    {Punctuation::greater, Operation::greater}, {Punctuation::greater_equal, Operation::greater_or_equal}};
-constexpr Binary kSum[] = {{Punctuation::plus, Operation::add}, {Punctuation::dash, Operation::subtract}};
-constexpr Binary kProduct[] = {{Punctuation::star, Operation::multiply}, {Punctuation::slash, Operation::divide}};
-constexpr std::span<const Binary> kRanks[] = {kOr, kAnd, kCompare, kSum, kProduct};
-constexpr std::size_t kRankCount = std::size(kRanks);
+constexpr std::string_view kTooLarge = "the expression is too large";
 
 class Compiler {
  public:
@@ -116,7 +33,7 @@ class Compiler {
   std::shared_ptr<const Program> run() {
     expression();
     if (at_ < tokens_.size() && !next().is_end()) fail_expected("an operator or the end of the expression");
-    return std::make_shared<const Program>(emitter_.take(), scope_.parameters.size());
+    return emitter_.finish(scope_.parameters.size());
   }
 
  private:
@@ -139,23 +56,63 @@ class Compiler {
 
   void expression() { binary(0); }
 
+  /// An operator with a constant on its right, as the last that was emitted: behind `mark` instructions.
+  struct Joinable {
+    Operation operation;
+    double right;
+    std::size_t mark;
+  };
+
+  /// Operators of one rank in a row.
   void binary(std::size_t rank) {
     if (rank == kRankCount) return operand();
+    const std::size_t start = emitter_.mark();
     binary(rank + 1);
-    for (;;) {
-      const auto found = std::ranges::find_if(
-          kRanks[rank], [&](const Binary& b) { return at_ < tokens_.size() && next().is(b.mark); });
+    std::optional<Joinable> last;
+    while (at_ < tokens_.size() && next().kind == TokenKind::punctuation) {
+      const auto found = std::ranges::find(kRanks[rank], next().punctuation, &Binary::mark);
       if (found == kRanks[rank].end()) return;
-      const Token& at = next();
-      ++at_;
+      const Token& at = tokens_[at_++];
+      Operation operation = found->operation;
+      const std::size_t begin = at_;
+      const std::size_t mark = emitter_.mark();
       binary(rank + 1);
-      apply(found->operation, at);
+      if (std::optional<double> right = emitter_.take_constant(mark)) {
+        if (operation == Operation::subtract && at_ == begin + 1) {  // a number by itself
+          operation = Operation::add;
+          right = -*right;
+        }
+        join(last, operation, *right, start, at);
+      } else {
+        last.reset();
+        apply(operation, at);
+      }
     }
+  }
+
+  /// Applies an operator with a constant on its right: to the constant before it, or to all that is on its left.
+  void join(std::optional<Joinable>& last, Operation operation, double right, std::size_t start, const Token& at) {
+    const auto of_constants = [&](double left) {
+      return render::apply({operation, 0, 0, 0.0}, std::array{left, right}.data());
+    };
+    const bool product = operation == Operation::multiply || operation == Operation::divide;
+    if (last && !(product && emitter_.varies_since(start))) {
+      right = of_constants(last->right);
+      operation = last->operation;
+      emitter_.return_to(last->mark);
+    } else if (const std::optional<double> left = emitter_.take_constant(start)) {
+      emitter_.constant(of_constants(*left));
+      return;
+    }
+    if (operation == Operation::divide && right == 0.0) fail(at, "division by zero");
+    last = Joinable{operation, right, emitter_.mark()};
+    emitter_.apply_constant(operation, right);
+    if (!emitter_.fits()) fail(at, std::string(kTooLarge));
   }
 
   void apply(Operation operation, const Token& at) {
     emitter_.apply(operation);
-    if (!emitter_.fits()) fail(at, "the expression is too large");
+    if (!emitter_.fits()) fail(at, std::string(kTooLarge));
   }
 
   void operand() {
@@ -182,32 +139,131 @@ class Compiler {
   void value() {
     const Token& token = next();
     if (at_ >= tokens_.size() || token.is_end()) fail_expected("a number");
-    if (const auto parameter = std::ranges::find(scope_.parameters, token.text);
-        parameter != scope_.parameters.end() &&
-        (token.kind == TokenKind::identifier || token.kind == TokenKind::keyword)) {
-      ++at_;
-      emitter_.parameter(static_cast<std::size_t>(parameter - scope_.parameters.begin()));
-    } else if (token.kind == TokenKind::number) {
+    if (token.kind == TokenKind::number) {
       ++at_;
       emitter_.constant(token.number);
-    } else if (token.kind == TokenKind::identifier) {
-      const std::optional<double> number = scope_.constant ? scope_.constant(token) : std::nullopt;
-      if (!number) fail(token, unknown(token));
-      ++at_;
-      emitter_.constant(*number);
     } else if (token.is(Punctuation::left_paren)) {
       ++at_;
       if (++depth_ > kDeepest) fail(token, "parentheses are nested more than " + std::to_string(kDeepest) + " deep");
       expression();
       --depth_;
       expect(Punctuation::right_paren, "to close the parenthesis");
-    } else if (token.kind == TokenKind::keyword) {
-      ++at_;
-      word(token);
-    } else {
-      fail_expected("a number");
+    } else if (!variable(token)) {
+      if (token.kind == TokenKind::identifier) {
+        name(token);
+      } else if (token.kind == TokenKind::keyword) {
+        ++at_;
+        word(token);
+      } else {
+        fail_expected("a number");
+      }
     }
-    if (!emitter_.fits()) fail(token, "the expression is too large");
+    if (!emitter_.fits()) fail(token, std::string(kTooLarge));
+  }
+
+  /// A parameter, a loop's variable or a coordinate. False: the token is none.
+  bool variable(const Token& token) {
+    if (token.kind != TokenKind::identifier && token.kind != TokenKind::keyword) return false;
+    const auto local = std::ranges::find(locals_.rbegin(), locals_.rend(), token.text, &Local::name);
+    const auto parameter = std::ranges::find(scope_.parameters, token.text);
+    if (local != locals_.rend()) {
+      emitter_.local(local->place);
+    } else if (parameter != scope_.parameters.end()) {
+      emitter_.parameter(static_cast<std::size_t>(parameter - scope_.parameters.begin()));
+    } else if (!coordinate(token)) {
+      return false;
+    }
+    ++at_;
+    return true;
+  }
+
+  /// x, y, z, u or v that is no parameter: the parameter of its like, or 0.
+  bool coordinate(const Token& token) {
+    if (!scope_.has_coordinates || token.kind != TokenKind::keyword) return false;
+    constexpr std::pair<Keyword, std::string_view> kLikes[] = {
+        {Keyword::x, "u"}, {Keyword::u, "x"}, {Keyword::y, "v"}, {Keyword::v, "y"}, {Keyword::z, ""}};
+    const auto* like = std::ranges::find(kLikes, token.keyword, &std::pair<Keyword, std::string_view>::first);
+    if (like == std::end(kLikes)) return false;
+    const auto parameter = std::ranges::find(scope_.parameters, like->second);
+    if (parameter == scope_.parameters.end()) {
+      emitter_.constant(0.0);
+    } else {
+      emitter_.parameter(static_cast<std::size_t>(parameter - scope_.parameters.begin()));
+    }
+    return true;
+  }
+
+  /// What a name outside of the function stands for.
+  void name(const Token& token) {
+    const FunctionName* meaning = at_ < scope_.names.size() ? &scope_.names[at_] : nullptr;
+    if (meaning == nullptr || (meaning->size == 0 && !meaning->function)) fail(token, unknown(token));
+    ++at_;
+    if (meaning->function) return call(token, meaning->function);
+    if (meaning->size == 1) return emitter_.constant(meaning->values[0]);
+    const std::uint8_t component = member(token, meaning->size);
+    emitter_.constant(component == render::kGrayComponent
+                          ? 0.297 * meaning->values[0] + 0.589 * meaning->values[1] + 0.114 * meaning->values[2]
+                          : meaning->values[component]);
+  }
+
+  void call(const Token& token, const render::FunctionPtr& function) {
+    arguments(token, function->parameter_count(), function->parameter_count());
+    const std::uint8_t component = function->result_count() > 1 ? member(token, function->result_count()) : 0;
+    emitter_.call(function, component);
+    if (!emitter_.is_affordable()) fail(token, "functions call each other too often or too deep here");
+  }
+
+  /// `.x`, `.red` ... behind a vector of `size` components.
+  std::uint8_t member(const Token& of, std::size_t size) {
+    expect(Punctuation::period, "behind '" + std::string(of.text) + "', which is a vector");
+    constexpr std::pair<std::string_view, std::uint8_t> kMembers[] = {{"x", 0},
+                                                                      {"y", 1},
+                                                                      {"z", 2},
+                                                                      {"t", 3},
+                                                                      {"u", 0},
+                                                                      {"v", 1},
+                                                                      {"red", 0},
+                                                                      {"green", 1},
+                                                                      {"blue", 2},
+                                                                      {"filter", 3},
+                                                                      {"transmit", 4},
+                                                                      {"gray", render::kGrayComponent},
+                                                                      {"grey", render::kGrayComponent},
+                                                                      {"hf", render::kHeightComponent}};
+    const Token& word = next();
+    const auto* found = std::ranges::find(kMembers, word.text, &std::pair<std::string_view, std::uint8_t>::first);
+    if (at_ >= tokens_.size() || found == std::end(kMembers)) fail_expected("a component such as 'x' or 'red'");
+    const std::size_t needed = found->second < render::kGrayComponent ? found->second + 1u : 3u;
+    if (needed > size) {
+      fail(word, "a value of " + std::to_string(size) + " components has no '." + std::string(word.text) + "'");
+    }
+    ++at_;
+    return found->second;
+  }
+
+  /// `sum(i, first, last, expression)`
+  void loop(const Token& token, double neutral, Operation end) {
+    const std::string of = "of '" + std::string(token.text) + "'";
+    expect(Punctuation::left_paren, "before the arguments " + of);
+    if (++depth_ > kDeepest) fail(token, "functions are nested more than " + std::to_string(kDeepest) + " deep");
+    const Token variable = next();
+    if (variable.kind != TokenKind::identifier && variable.kind != TokenKind::keyword) {
+      fail_expected("the name of a variable");
+    }
+    ++at_;
+    const std::size_t place = emitter_.height();
+    for (int i = 0; i < 2; ++i) {
+      expect(Punctuation::comma, "and a further argument " + of);
+      expression();
+    }
+    expect(Punctuation::comma, "and a further argument " + of);
+    const std::size_t begin = emitter_.begin_loop(neutral);
+    locals_.push_back({variable.text, place});
+    expression();
+    locals_.pop_back();
+    emitter_.end_loop(begin, end);
+    --depth_;
+    expect(Punctuation::right_paren, "behind the arguments " + of);
   }
 
   std::string unknown(const Token& token) const {
@@ -230,6 +286,18 @@ class Compiler {
       case Keyword::no:
       case Keyword::off:
         return emitter_.constant(0.0);
+      case Keyword::clock:
+        return emitter_.constant(scope_.clock);
+      case Keyword::sum:
+        return loop(token, 0.0, Operation::end_sum);
+      case Keyword::prod:
+        return loop(token, 1.0, Operation::end_product);
+      case Keyword::pow:
+        return power(token);
+      case Keyword::degrees:
+        return scaled(token, 180.0, std::numbers::pi);
+      case Keyword::radians:
+        return scaled(token, std::numbers::pi, 180.0);
       case Keyword::select:
         return apply(arguments(token, 3, 4) == 3 ? Operation::select_negative : Operation::select, token);
       default:
@@ -245,6 +313,42 @@ class Compiler {
       arguments(token, 2, tokens_.size(), of_many);
     } else {
       fail(token, "expected a number, found '" + std::string(token.text) + "', which is no function of numbers");
+    }
+  }
+
+  void power(const Token& token) {
+    const std::string of = "of 'pow'";
+    const std::size_t base = emitter_.mark();
+    expect(Punctuation::left_paren, "before the arguments " + of);
+    if (++depth_ > kDeepest) fail(token, "functions are nested more than " + std::to_string(kDeepest) + " deep");
+    expression();
+    if (!accept(Punctuation::comma)) fail_expected("',' and a further argument " + of);
+    const std::size_t mark = emitter_.mark();
+    expression();
+    if (next().is(Punctuation::comma)) fail(token, "too many arguments " + of);
+    if (const std::optional<double> exponent = emitter_.take_constant(mark)) {
+      if (*exponent == 0.0) {
+        emitter_.replace_since(base, 1.0);
+      } else if (const std::optional<double> known = emitter_.take_constant(base)) {
+        emitter_.constant(std::pow(*known, *exponent));
+      } else {
+        emitter_.apply_constant(Operation::power, *exponent);
+      }
+    } else {
+      apply(Operation::power, token);
+    }
+    --depth_;
+    expect(Punctuation::right_paren, "behind the arguments " + of);
+  }
+
+  /// Angles: a constant is multiplied first, anything else by the quotient. [POV-Ray 3.7]
+  void scaled(const Token& token, double factor, double divisor) {
+    const std::size_t mark = emitter_.mark();
+    arguments(token, 1, 1);
+    if (const std::optional<double> angle = emitter_.take_constant(mark)) {
+      emitter_.constant(*angle * factor / divisor);
+    } else {
+      emitter_.apply_constant(Operation::multiply, factor / divisor);
     }
   }
 
@@ -265,8 +369,14 @@ class Compiler {
     return count;
   }
 
+  struct Local {
+    std::string_view name;
+    std::size_t place;  ///< on the stack
+  };
+
   std::span<const Token> tokens_;
   const FunctionScope& scope_;
+  std::vector<Local> locals_;
   Emitter emitter_;
   std::size_t at_ = 0;
   int depth_ = 0;

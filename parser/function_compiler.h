@@ -1,11 +1,11 @@
 #pragma once
 
 #include "parser/token.h"
-#include "render/math/program.h"
+#include "render/function/program.h"
 
-#include <functional>
+#include <array>
+#include <cstdint>
 #include <memory>
-#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -18,12 +18,23 @@ struct FunctionError {
   std::string message;
 };
 
+/// What a declared name, or an element of an array, stands for in the body of a function.
+struct FunctionName {
+  std::array<double, 5> values{};
+  std::uint8_t size = 0;         ///< of a number or vector; 0: it is none
+  render::FunctionPtr function;  ///< null: it is none
+};
+
 /// What words mean in the body of a function, beside the words of the language.
 struct FunctionScope {
   /// Names of the parameters, in their order; they hide whatever else is called so, words of the language too.
   std::span<const std::string_view> parameters;
-  /// The number that an identifier stands for; may be empty.
-  std::function<std::optional<double>(const Token& identifier)> constant;
+  /// For each token what its name stands for; may be empty.
+  std::span<const FunctionName> names;
+  /// Of x, y, z, u and v those that are no parameter are words of their own: u is x, v is y, and what is missing
+  /// altogether is 0. [POV-Ray 3.7] Otherwise they are errors.
+  bool has_coordinates = false;
+  double clock = 0.0;
 };
 
 /// A program of an expression in the language of `function { }`: `+ - * /`, comparisons, `& | !`, parentheses, numbers
@@ -31,7 +42,8 @@ struct FunctionScope {
 ///
 /// Source   POV-Ray 3.7 manual, "User-Defined Functions"; its operators' ranks, from the weakest: `|`, `&`,
 /// comparisons,
-///          `+ -`, `* /`, signs; all from the left to the right.
+///          `+ -`, `* /`, signs; all from the left to the right. Constants that follow each other in a row of operators
+///          of one rank are joined first, as POV-Ray joins them, mistakes included: x - 2*3 - 1 is x - (6 - 1).
 /// Limits   nested at most 200 deep; what needs more than Program's limits is an error.
 std::shared_ptr<const render::Program> compile_function(std::span<const Token> tokens, const FunctionScope& scope);
 

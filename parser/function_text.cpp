@@ -31,7 +31,9 @@ render::CompileResult compile_text(std::string_view text, std::span<const std::s
   try {
     Symbols symbols;
     const TokenFile file = tokenize(source, symbols);
-    return {compile_function(file.tokens, {parameters, nullptr}), {}, 0, 1};
+    FunctionScope scope;
+    scope.parameters = parameters;
+    return {compile_function(file.tokens, scope), {}, 0, 1};
   } catch (const FunctionError& error) {
     return failure(error.message, error.at.column, error.at.length);
   } catch (const SyntaxError& error) {

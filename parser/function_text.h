@@ -1,6 +1,6 @@
 #pragma once
 
-#include "render/math/program.h"
+#include "render/function/program.h"
 
 #include <span>
 #include <string_view>

@@ -1,7 +1,9 @@
 // Words that are values or functions in expressions. [POV-Ray 3.7 manual, "Float Expressions", "Vector Expressions"]
 #include "parser/expression.h"
 #include "parser/interpreter.h"
+#include "parser/object_functions.h"
 #include "parser/string_expression.h"
+#include "render/math/noise.h"
 #include "render/math/transform.h"
 
 #include <algorithm>
@@ -59,10 +61,6 @@ class Call {
   Interpreter& in_;
   const Token& word_;
 };
-
-[[noreturn]] void fail_unsupported(Interpreter& in, const Token& word) {
-  in.fail(word.location, "'" + std::string(word.text) + "' is not supported by this version of Firstlight", true);
-}
 
 // acos and asin take what is outside their domain for its end.
 double into_domain(Interpreter& in, const Token& word, double value) {
@@ -279,6 +277,23 @@ render::Vec3 of_vectors(Interpreter& in, const Token& word) {
   return result;
 }
 
+// vturbulence(lambda, omega, octaves, point)
+render::Vec3 turbulence(Interpreter& in, const Token& word) {
+  constexpr int kMostOctaves = 10;
+  Call call(in, word);
+  render::Octaves octaves;
+  octaves.lambda = static_cast<float>(call.number());
+  call.comma();
+  octaves.omega = static_cast<float>(call.number());
+  call.comma();
+  octaves.count = std::clamp(to_int(call.number()), 1, kMostOctaves);
+  call.comma();
+  const render::Vec3 point = call.vector();
+  call.comma();
+  call.close();
+  return render::dturbulence(point, octaves);
+}
+
 double of_vectors_to_number(Interpreter& in, const Token& word) {
   Call call(in, word);
   const render::Vec3 first = call.vector();
@@ -336,9 +351,10 @@ double number_of(Interpreter& in, const Token& word) {
     case Keyword::vlength:
       return of_vectors_to_number(in, word);
     case Keyword::inside:
+      return parse_inside(in, word) ? 1.0 : 0.0;
     case Keyword::sum:
     case Keyword::prod:
-      fail_unsupported(in, word);
+      in.fail(word.location, "'" + std::string(word.text) + "' can only be used in the body of a function");
     default:
       return of_one_number(in, word);
   }
@@ -366,10 +382,12 @@ Numbers parse_function(Interpreter& in, const Token& word) {
     case Keyword::vrotate:
       return vector_of(of_vectors(in, word));
     case Keyword::vturbulence:
+      return vector_of(turbulence(in, word));
     case Keyword::trace:
+      return vector_of(parse_trace(in, word));
     case Keyword::min_extent:
     case Keyword::max_extent:
-      fail_unsupported(in, word);
+      return vector_of(parse_extent(in, word));
     default: {
       Numbers result;
       result.values[0] = number_of(in, word);

@@ -4,6 +4,7 @@
 #include "parser/random_streams.h"
 #include "parser/statements.h"
 #include "parser/token_stream.h"
+#include "render/scene/object_probe.h"
 
 #include <chrono>
 #include <cstdint>
@@ -13,6 +14,7 @@
 #include <string>
 #include <string_view>
 #include <tuple>
+#include <utility>
 #include <vector>
 
 namespace firstlight::parser {
@@ -57,6 +59,12 @@ class Interpreter final : public TokenStream {
   }
   RandomStreams& random() { return random_; }
   const render::LoadOptions& options() const { return options_; }
+  /// Of a function, at parse time; `name` is where it is called.
+  Numbers evaluate(const render::Function& function, const double* arguments, const Token& name);
+  /// The geometry of a declared object, kept for the next question about it.
+  const render::ObjectProbe& probe(const std::shared_ptr<const render::Object>& object);
+  /// An answer at `at` could not be given, so the picture would be wrong.
+  void note_unrendered(render::Feature feature, const Location& at);
   bool file_exists(const std::string& name) const;
   /// The path of the file that the scene calls `name`, such as an image or a font; `extensions`, with their dots, may
   /// be left out in the name. Fails at `at` when there is none, or none that may be read.
@@ -210,6 +218,7 @@ class Interpreter final : public TokenStream {
   // For ParseProgress.
   using Clock = std::chrono::steady_clock;
   Clock::time_point began_ = Clock::now(), last_told_ = began_;
+  std::vector<std::pair<std::shared_ptr<const render::Object>, render::ObjectProbe>> probes_;  // the latest last
 };
 
 }  // namespace firstlight::parser

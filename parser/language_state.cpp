@@ -30,6 +30,7 @@ float LanguageState::from_srgb(float component) const {
 void LanguageState::store(render::Settings& settings) const {
   // Before 3.5 the renderer's rules are 3.5's: POV-Ray reads such scenes but does not render by their rules either.
   settings.language_version = std::max(effective_version(), 350);
+  settings.noise_generator = noise_generator();
   if (gamma_stated_) {
     settings.gamma = gamma_;
     settings.gamma_exponent = exponent_;

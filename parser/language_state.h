@@ -22,6 +22,9 @@ class LanguageState {
   /// What the bytes of a string literal mean that are not ASCII.
   render::Charset charset() const { return charset_; }
   void set_charset(render::Charset charset) { charset_ = charset; }
+  /// Of functions and of patterns that choose none: what global_settings say, or else the version's.
+  int noise_generator() const { return noise_generator_ != 0 ? noise_generator_ : version_ >= 350 ? 2 : 1; }
+  void set_noise_generator(int generator) { noise_generator_ = generator; }
 
   bool gamma_stated() const { return gamma_stated_; }
   render::WorkingGamma gamma() const { return gamma_; }
@@ -36,6 +39,7 @@ class LanguageState {
 
  private:
   int version_ = 370;
+  int noise_generator_ = 0;  ///< 0: not stated
   bool version_stated_ = false;
   bool version_stated_late_ = false;
   render::Charset charset_ = render::Charset::ascii;

@@ -1,6 +1,7 @@
 #include "parser/parse_atmosphere.h"
 #include "parser/parse_camera.h"
 #include "parser/parse_common.h"
+#include "parser/parse_function.h"
 #include "parser/parse_object.h"
 #include "parser/parse_surface.h"
 #include "parser/parse_transform.h"
@@ -102,6 +103,12 @@ std::optional<Value> parse_declarable(Reader& reader, SceneContext& context) {
     case Keyword::camera:
       reader.take();
       return shared(parse_camera(reader, context, word, context.default_camera));
+    case Keyword::function:
+      reader.take();
+      return parse_function(reader, context, word);
+    case Keyword::spline:
+      reader.take();
+      return parse_spline(reader, word);
     case Keyword::transform:
       reader.take();
       return shared(parse_transform(reader, word));

@@ -67,6 +67,7 @@ bool accept_detail(Reader& reader, render::Settings& settings) {
     const Token at = reader.peek();
     const int generator = integer(reader, "noise_generator");
     if (generator < 1 || generator > 3) reader.fail(at, "'noise_generator' must be 1, 2 or 3");
+    reader.interpreter().language().set_noise_generator(generator);
   } else if (reader.accept(Keyword::irid_wavelength)) {
     settings.irid_wavelength = reader.color().rgb;
   } else if (reader.accept(Keyword::mm_per_unit)) {

@@ -25,6 +25,8 @@ std::string_view kind_name(const Value& value) {
                                                                   "color_map",
                                                                   "camera",
                                                                   "transform",
+                                                                  "function",
+                                                                  "spline",
                                                                   "unsupported value",
                                                                   "dictionary",
                                                                   "file",

@@ -2,6 +2,8 @@
 
 #include "parser/token.h"
 #include "render/camera/camera.h"
+#include "render/function/function.h"
+#include "render/function/spline.h"
 #include "render/math/color.h"
 #include "render/math/transform.h"
 #include "render/scene/atmosphere.h"
@@ -59,6 +61,8 @@ using Value = std::variant<std::monostate,                             // declar
                            std::shared_ptr<const render::ColorMap>,    // color_map
                            std::shared_ptr<const render::Camera>,      // camera
                            std::shared_ptr<const render::Transform>,   // transform
+                           render::FunctionPtr,                        // function
+                           std::shared_ptr<const render::Spline>,      // spline
                            std::shared_ptr<const Unsupported>,         // what cannot be rendered
                            std::shared_ptr<Dictionary>,                // dictionary
                            std::shared_ptr<DataFile>,                  // what #fopen opens

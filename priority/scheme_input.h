@@ -1,7 +1,7 @@
 #pragma once
 
 #include "render/film/film.h"
-#include "render/math/program.h"
+#include "render/function/program.h"
 #include "render/scene/scene.h"
 
 #include <functional>

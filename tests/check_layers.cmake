@@ -9,7 +9,7 @@ cmake_minimum_required(VERSION 3.25)
 set(render_math       "")
 set(render_feature    "")
 set(render_image      render/math)
-set(render_function   render/math)
+set(render_function   render/math render/feature)
 set(render_shape      render/math render/feature render/function)
 set(render_light      render/math render/feature)
 set(render_film       render/math render/image)
@@ -19,7 +19,7 @@ set(render_scene      render/math render/feature render/image render/function re
 set(render_accel      ${render_scene} render/scene)
 set(render_trace      ${render_accel} render/accel)
 set(parser            ${render_scene} render/scene)
-set(priority          render/math render/scene render/trace render/film)
+set(priority          render/math render/function render/scene render/trace render/film)
 set(app               parser priority ${render_trace} render/trace render/film)
 
 # A library that is used behind one border only, and that border.

@@ -64,6 +64,7 @@ struct Settings {
   RadiositySettings radiosity = {};
   PhotonSettings photons = {};
   SubsurfaceSettings subsurface = {};
+  int noise_generator = 2;  ///< 1 to 3, of functions and of patterns that choose none
   FeatureUses unrendered = {};
 };
 

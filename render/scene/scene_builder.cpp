@@ -2,6 +2,7 @@
 
 #include "render/scene/form.h"
 #include "render/scene/object_table.h"
+#include "render/scene/region.h"
 #include "render/scene/texture_table.h"
 
 #include <algorithm>
@@ -24,23 +25,6 @@ struct Inherited {
   bool double_illuminate = false;
 };
 
-/// The combination that an object is, after its own and its parents' inversions: the complement of a union is the
-/// intersection of the complements, and the other way round (as a merge, for it has no surfaces inside).
-Solid::Kind solid_kind(Object::Kind kind, bool inverted) {
-  switch (kind) {
-    case Object::Kind::union_:
-      return inverted ? Solid::Kind::intersection : Solid::Kind::union_;
-    case Object::Kind::merge:
-      return inverted ? Solid::Kind::intersection : Solid::Kind::merge;
-    case Object::Kind::intersection:
-      return inverted ? Solid::Kind::merge : Solid::Kind::intersection;
-    case Object::Kind::shape:
-    case Object::Kind::light:
-      break;
-  }
-  return Solid::Kind::shape;
-}
-
 std::uint8_t hidden_bits(const Object& object) {
   return static_cast<std::uint8_t>((object.no_image ? kHiddenFromPrimary : 0) |
                                    (object.no_reflection ? kHiddenFromReflection : 0) |
@@ -49,57 +33,12 @@ std::uint8_t hidden_bits(const Object& object) {
 
 bool is_empty(const std::shared_ptr<const std::vector<Object>>& list) { return !list || list->empty(); }
 
-const std::shared_ptr<const std::vector<Object>>& clips_of(const Object& object) {
-  return object.bounds_are_clips && is_empty(object.clipped_by) ? object.bounded_by : object.clipped_by;
-}
-
-const std::shared_ptr<const std::vector<Object>>& bounds_of(const Object& object) {
-  return object.bounds_are_clips && is_empty(object.bounded_by) ? object.clipped_by : object.bounded_by;
-}
-
 bool has_surface(const Solid& solid) {
   return solid.kind == Solid::Kind::shape || std::any_of(solid.members.begin(), solid.members.end(), has_surface);
 }
 
 bool has_form(const Object& object) {
   return object.form || (object.children && std::any_of(object.children->begin(), object.children->end(), has_form));
-}
-
-/// The geometry of clips and bounds: where they are, not how they look.
-std::optional<Solid> region(const Object& object, const Transform& to_world, bool inverted);
-
-std::vector<Solid> regions(const std::shared_ptr<const std::vector<Object>>& objects, const Transform& to_world,
-                           bool inverted = false) {
-  std::vector<Solid> result;
-  if (!objects) return result;
-  result.reserve(objects->size());
-  for (const Object& object : *objects) {
-    if (std::optional<Solid> solid = region(object, to_world, inverted)) result.push_back(std::move(*solid));
-  }
-  return result;
-}
-
-ShapePtr placed_shape(const Object& object, const Transform& to_world, bool inverted) {
-  ShapePtr shape = to_world.is_identity() ? object.shape : object.shape->placed(to_world);
-  return inverted ? shape->inverted() : shape;
-}
-
-std::optional<Solid> region(const Object& object, const Transform& to_world, bool inverted) {
-  if (object.kind == Object::Kind::light || (object.kind == Object::Kind::shape && !object.shape)) return std::nullopt;
-  const Transform here = object.placement.then(to_world);
-  const bool complement = inverted != object.inverted;
-  Solid solid;
-  solid.kind = solid_kind(object.kind, complement);
-  solid.part = kNoIndex;
-  if (object.kind == Object::Kind::shape) {
-    solid.shape = placed_shape(object, here, complement);
-  } else {
-    solid.members = regions(object.children, here, complement);
-  }
-  solid.clips = regions(clips_of(object), here);
-  solid.bounds = regions(bounds_of(object), here);
-  solid.close();
-  return solid;
 }
 
 }  // namespace

@@ -8,6 +8,9 @@
 namespace firstlight::render {
 namespace {
 
+/// Of the box about a disc, which scenes may ask for. [POV-Ray 3.7]
+constexpr double kHalfThickness = 0.001;
+
 /// A ring around the origin in the plane z = 0. Inside is all that lies below the plane.
 struct Disc {
   double hole_squared;
@@ -30,7 +33,7 @@ struct Disc {
   Vec3 normal(const Vec3&, std::uint32_t) const { return Vec3(0.0, 0.0, 1.0); }
   Box3 bounds() const {
     const double r = std::sqrt(radius_squared);
-    return Box3(Vec3(-r, -r, 0.0), Vec3(r, r, 0.0));
+    return Box3(Vec3(-r, -r, -kHalfThickness), Vec3(r, r, kHalfThickness));
   }
   Box3 inside_bounds() const { return boundless_box(); }
 };

@@ -23,11 +23,6 @@ TEST(Declare, AReservedWordIsNoIdentifier) {
 TEST(Declare, AnUndeclaredValueIsNamed) {
   EXPECT_EQ(debugged("#declare A = Nope;"), "error: expected a value, found undeclared identifier 'Nope'");
 }
-TEST(Declare, AFunctionFailsOnlyWhenUsed) {
-  EXPECT_EQ(debugged("#declare F = function(x) { x + 1 }\n#debug \"fine\""), "fine");
-  EXPECT_EQ(number("1; #declare F = function { x } #declare G = F(1)"),
-            "error: 'F' cannot be used: 'function' is not supported by this version of Firstlight");
-}
 TEST(Declare, WithoutTheHashItWarns) {
   const auto result = load("declare A = 5; sphere { 0, A }");
   EXPECT_EQ(messages(result, render::Diagnostic::Severity::warning), "'declare' should be written '#declare'\n");

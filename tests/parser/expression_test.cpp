@@ -104,8 +104,8 @@ TEST(Function, StreamsOfRandAreIndependent) {
 TEST(Function, RandWithoutSeedIsAnError) {
   EXPECT_EQ(number("rand(0)"), "error: 'rand' needs a stream that 'seed' has made, found 0");
 }
-TEST(Function, OneThatIsNotSupportedIsNamed) {
-  EXPECT_EQ(vector("vturbulence(2, 0.5, 6, x)"), "error: 'vturbulence' is not supported by this version of Firstlight");
+TEST(Function, VturbulenceIsASumOfNoise) {
+  EXPECT_EQ(vector("vturbulence(2.1, 0.6, 4, <0.3, -0.4, 12.5>)"), "-0.2062 -0.3291 0.1052");
 }
 TEST(Function, ImageSizeIsDeclared) { EXPECT_EQ(number("image_width/image_height"), "1.333333"); }
 

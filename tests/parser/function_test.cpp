@@ -106,7 +106,7 @@ TEST(Function, WhatHasNoValueIsNoError) {
 
 TEST(Function, ConstantsAreComputedOnce) {
   EXPECT_EQ(compile_text("2*pi + max(1, 2, 3) - select(1, 2, 3)", kParameters).program->instructions().size(), 1u);
-  EXPECT_EQ(compile_text("x*(2 + 3)", kParameters).program->instructions().size(), 3u);
+  EXPECT_EQ(compile_text("x*(2 + 3)", kParameters).program->instructions().size(), 2u);
 }
 
 TEST(Function, ManyPointsGiveWhatEachGivesAlone) {

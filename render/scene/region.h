@@ -1,0 +1,30 @@
+#pragma once
+
+#include "render/math/transform.h"
+#include "render/scene/object.h"
+#include "render/scene/solid.h"
+
+#include <memory>
+#include <optional>
+#include <vector>
+
+namespace firstlight::render {
+
+/// The combination that an object is, after its own and its parents' inversions: the complement of a union is the
+/// intersection of the complements, and the other way round (as a merge, for it has no surfaces inside).
+Solid::Kind solid_kind(Object::Kind kind, bool inverted);
+
+/// What cuts an object, and what bounds it: `clipped_by { bounded_by }` and the like make them the same.
+const std::shared_ptr<const std::vector<Object>>& clips_of(const Object& object);
+const std::shared_ptr<const std::vector<Object>>& bounds_of(const Object& object);
+
+/// The shape of an object that is one, where it stands.
+ShapePtr placed_shape(const Object& object, const Transform& to_world, bool inverted);
+
+/// The geometry of an object without its surfaces: where it is, not how it looks. Nothing for lights, and for shapes
+/// that are described and not made.
+std::optional<Solid> region(const Object& object, const Transform& to_world, bool inverted);
+std::vector<Solid> regions(const std::shared_ptr<const std::vector<Object>>& objects, const Transform& to_world,
+                           bool inverted = false);
+
+}  // namespace firstlight::render
