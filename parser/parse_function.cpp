@@ -120,7 +120,7 @@ render::FunctionPtr parse_special(Reader& reader) {
     case Keyword::spline: {
       reader.take();
       const auto spline = parse_spline(reader, word);
-      return render::make_spline_function(spline, {});
+      return render::make_spline_function(spline);
     }
     case Keyword::pattern:
     case Keyword::pigment:

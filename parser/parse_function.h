@@ -17,7 +17,7 @@ render::FunctionPtr parse_function(Reader& reader, SceneContext& context, const 
 /// `{ expression }` of x, y and z (u and v are x and y), as shapes and patterns take it behind `function`.
 render::FunctionPtr parse_function_block(Reader& reader, const Token& word);
 
-/// `spline { }`, `word` taken. Kinds that are not evaluated add themselves to `unrendered`.
+/// `spline { }`, `word` taken.
 std::shared_ptr<const render::Spline> parse_spline(Reader& reader, const Token& word);
 
 /// The kind of spline that a word names.

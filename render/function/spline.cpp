@@ -9,8 +9,8 @@ namespace {
 
 class SplineFunction final : public Function {
  public:
-  SplineFunction(std::shared_ptr<const Spline> spline, FeatureUses unrendered)
-      : Function(1, spline->components(), 100, 0, std::move(unrendered)), spline_(std::move(spline)) {}
+  explicit SplineFunction(std::shared_ptr<const Spline> spline)
+      : Function(1, spline->components(), 100), spline_(std::move(spline)) {}
   void evaluate(const double* arguments, double* results, Evaluation&) const override {
     const Spline::Values values = spline_->value(arguments[0]);
     std::copy_n(values.begin(), result_count(), results);
@@ -21,8 +21,6 @@ class SplineFunction final : public Function {
 };
 
 }  // namespace
-
-bool is_evaluated(SplineKind kind) { return kind <= SplineKind::catmull_rom; }
 
 Spline::Spline(SplineKind kind, std::vector<Point> points, std::size_t components)
     : kind_(kind), components_(components) {
@@ -68,7 +66,7 @@ void Spline::find_curvatures() {
 
 Spline::Values Spline::value(double at) const {
   Values values{};
-  if (points_.empty() || !is_evaluated(kind_)) return values;
+  if (points_.empty()) return values;
   if (points_.size() == 1) return points_[0].values;
   // The first point that is not below, as the end of the piece; before the first it is 0, from the last on the size.
   std::size_t end = points_.size();
@@ -133,8 +131,8 @@ double Spline::cubic(std::size_t begin, std::size_t k, double at) const {
   return a.values[k] + along * slope;
 }
 
-FunctionPtr make_spline_function(std::shared_ptr<const Spline> spline, FeatureUses unrendered) {
-  return std::make_shared<SplineFunction>(std::move(spline), std::move(unrendered));
+FunctionPtr make_spline_function(std::shared_ptr<const Spline> spline) {
+  return std::make_shared<SplineFunction>(std::move(spline));
 }
 
 }  // namespace firstlight::render

@@ -1,6 +1,5 @@
 #pragma once
 
-#include "render/feature/feature.h"
 #include "render/function/function.h"
 
 #include <array>
@@ -16,16 +15,11 @@ enum class SplineKind {
   quadratic,    ///< a parabola through the two points and the one before them
   natural,      ///< cubic, with continuous second derivatives
   catmull_rom,  ///< `cubic_spline`: passes its points but the first and last, which only give directions
-  akima,
-  tcb,
-  basic_x,
-  extended_x,
 };
 
 /// A curve of 2 to 5 components over a parameter. Plain data, with what is worked out of it once.
 ///
-/// Source   POV-Ray 3.7's interpolation, to the order of its operations. The last four kinds are those of POV-Ray 3.8;
-///          they are described and not evaluated.
+/// Source   POV-Ray 3.7's interpolation, to the order of its operations.
 /// Cost     O(log points) a value.
 class Spline {
  public:
@@ -34,8 +28,6 @@ class Spline {
   struct Point {
     double at = 0.0;
     Values values{};
-    double tension = 0.0, continuity = 0.0, bias = 0.0;  ///< of SplineKind::tcb
-    double freedom = 0.0;                                ///< of SplineKind::extended_x
   };
 
   Spline() = default;
@@ -63,10 +55,7 @@ class Spline {
   std::vector<Values> curvatures_;  ///< second derivatives at the points, of SplineKind::natural
 };
 
-/// Whether value() knows the kind.
-bool is_evaluated(SplineKind kind);
-
 /// The spline as a function of its parameter.
-FunctionPtr make_spline_function(std::shared_ptr<const Spline> spline, FeatureUses unrendered);
+FunctionPtr make_spline_function(std::shared_ptr<const Spline> spline);
 
 }  // namespace firstlight::render

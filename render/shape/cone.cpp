@@ -122,7 +122,8 @@ ShapePtr make_cylinder(const Vec3& base, const Vec3& cap, double radius, bool op
   const Vec3 axis = cap - base;
   const double height = axis.length();
   if (!(height >= kEpsilon) || radius == 0.0) return nothing_at(base);
-  return std::make_shared<Placed<Cylinder>>(Cylinder{open}, from_canonical(base, axis / height, radius, height));
+  // From the cap down to the base, as POV-Ray places it: its bounding box, which scenes may ask for, shows it.
+  return std::make_shared<Placed<Cylinder>>(Cylinder{open}, from_canonical(cap, -axis / height, radius, height));
 }
 
 ShapePtr make_cone(const Vec3& base, double base_radius, const Vec3& cap, double cap_radius, bool open) {
