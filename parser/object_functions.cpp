@@ -83,7 +83,7 @@ Vec3 parse_extent(Interpreter& in, const Token& word) {
   in.expect(Punctuation::right_paren, "to close", word.text);
   if (!render::is_made(*object)) {
     in.note_unrendered(Feature::extent, word.location);
-    return Vec3(0.0);
+    return Vec3(word.is(Keyword::min_extent) ? 0.0 : 1.0);
   }
   const render::Box3 box = render::extent(*object);
   return word.is(Keyword::min_extent) ? box.min : box.max;

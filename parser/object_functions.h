@@ -15,7 +15,8 @@ class Interpreter;
 render::Vec3 parse_trace(Interpreter& in, const Token& word);
 /// `inside(object, point)`
 bool parse_inside(Interpreter& in, const Token& word);
-/// `min_extent(object)`, `max_extent(object)`
+/// `min_extent(object)`, `max_extent(object)`; of an object that is only described, a unit cube's: scenes divide by the
+/// size of things.
 render::Vec3 parse_extent(Interpreter& in, const Token& word);
 
 }  // namespace firstlight::parser
