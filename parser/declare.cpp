@@ -11,27 +11,6 @@ namespace firstlight::parser {
 
 namespace {
 
-// Values that can be declared but not rendered.
-bool declares_something(Keyword word) {
-  switch (word) {
-    case Keyword::normal:
-    case Keyword::pigment_map:
-    case Keyword::normal_map:
-    case Keyword::slope_map:
-    case Keyword::texture_map:
-    case Keyword::density_map:
-    case Keyword::density:
-    case Keyword::media:
-      return true;
-    default:
-      return false;
-  }
-}
-
-std::string not_supported(const Token& word) {
-  return "'" + std::string(word.text) + "' is not supported by this version of Firstlight";
-}
-
 Numbers as_numbers(const render::FilteredColor& color) {
   Numbers numbers;
   numbers.values = {color.rgb.x, color.rgb.y, color.rgb.z, color.filter, color.transmit};
@@ -187,7 +166,6 @@ Interpreter::Argument Interpreter::parse_argument(bool parameter) {
 Value Interpreter::parse_statement_value(const Token& first) {
   const Checkpoint start = checkpoint();
   const std::size_t conditions = conditions_.size();
-  if (declares_something(first.keyword)) return store_unparsed(start, first, not_supported(first));
   Reader reader(*this);
   try {
     if (std::optional<Value> value = parse_declarable(reader, context_)) return std::move(*value);

@@ -174,7 +174,7 @@ SkySphere parse_sky_sphere(Reader& reader, SceneContext& context, const Token& w
   for (;;) {
     const Token item = reader.peek();
     if (reader.accept(Keyword::pigment)) {
-      sky.pigments.push_back(parse_pigment(reader, context, item, render::Pigment(), false));
+      sky.pigments.push_back(parse_pigment(reader, context, item, render::Pigment()));
       if (sky.pigments.size() > kMostPigments) reader.fail(item, "a 'sky_sphere' has at most 1000 pigments");
     } else if (reader.accept(Keyword::emission)) {
       sky.emission = reader.color().rgb;
@@ -211,6 +211,8 @@ bool accept_atmosphere(Reader& reader, SceneContext& context) {
     context.builder.atmosphere().fogs.push_back(parse_fog(reader, word));
   } else if (reader.accept(Keyword::rainbow)) {
     context.builder.atmosphere().rainbows.push_back(parse_rainbow(reader, word));
+  } else if (reader.accept(Keyword::media)) {
+    context.builder.atmosphere().media.push_back(parse_media(reader, context, word));
   } else if (reader.accept(Keyword::sky_sphere)) {
     add_sky_sphere(reader, context, word);
   } else {

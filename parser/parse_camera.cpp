@@ -108,7 +108,7 @@ void parse_bokeh(Reader& reader, SceneContext& context, const Token& word, rende
   reader.open_block(word);
   while (reader.next_is(Keyword::pigment)) {
     const Token pigment = reader.take();
-    blur.bokeh = std::make_shared<const render::Pigment>(parse_default_pigment(reader, context, pigment));
+    blur.bokeh = std::make_shared<const render::Pigment>(parse_pigment(reader, context, pigment, default_layer(context).pigment));
   }
   reader.close_block();
 }

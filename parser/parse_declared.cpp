@@ -37,17 +37,16 @@ bool accept_default(Reader& reader, SceneContext& context) {
     case Keyword::texture: {
       reader.take();
       const render::TexturePtr texture = parse_texture(reader, context, word);
+      if (texture->layers.front().patterned) reader.fail(word, "the default texture cannot be made of textures");
       if (texture->layers.size() != 1) reader.fail(word, "the default texture cannot have layers");
       context.default_texture = texture;
-      context.default_pigment_given = true;
       return true;
     }
     case Keyword::pigment: {
       reader.take();
       auto texture = std::make_shared<render::Texture>(*context.default_texture);
-      texture->layers[0].pigment = parse_pigment(reader, context, word, texture->layers[0].pigment, true);
+      texture->layers[0].pigment = parse_pigment(reader, context, word, texture->layers[0].pigment);
       context.default_texture = texture;
-      context.default_pigment_given = true;
       return true;
     }
     case Keyword::finish: {
@@ -67,8 +66,14 @@ bool accept_default(Reader& reader, SceneContext& context) {
         context.builder.settings().radiosity.default_importance = *importance;
       }
       return true;
-    case Keyword::normal:
-      fail_unsupported(reader, reader.take());
+    case Keyword::normal: {
+      reader.take();
+      auto texture = std::make_shared<render::Texture>(*context.default_texture);
+      texture->layers[0].normal =
+          std::make_shared<render::Normal>(parse_normal(reader, context, word, texture->layers[0].normal.get()));
+      context.default_texture = texture;
+      return true;
+    }
     default:
       return false;
   }
@@ -84,13 +89,13 @@ std::optional<Value> parse_declarable(Reader& reader, SceneContext& context) {
       return parse_textures(reader, context);
     case Keyword::pigment:
       reader.take();
-      return shared(parse_default_pigment(reader, context, word));
+      return shared(parse_pigment(reader, context, word, default_layer(context).pigment));
     case Keyword::finish:
       reader.take();
       return shared(parse_finish(reader, word, context.default_texture->layers[0].finish));
     case Keyword::interior:
       reader.take();
-      return shared(parse_interior(reader, word, std::nullopt));
+      return shared(parse_interior(reader, context, word, std::nullopt));
     case Keyword::material: {
       reader.take();
       Material material;
@@ -121,15 +126,30 @@ std::optional<Value> parse_declarable(Reader& reader, SceneContext& context) {
     case Keyword::sky_sphere:
       reader.take();
       return shared(parse_sky_sphere(reader, context, word));
-    case Keyword::density:
-    case Keyword::density_map:
-    case Keyword::media:
     case Keyword::normal:
-    case Keyword::normal_map:
+      reader.take();
+      return shared(parse_normal(reader, context, word, nullptr));
+    case Keyword::density:
+      reader.take();
+      return shared(parse_density(reader, context, word));
+    case Keyword::media:
+      reader.take();
+      return shared(parse_media(reader, context, word));
     case Keyword::pigment_map:
+      reader.take();
+      return parse_pigment_map(reader, context, word);
+    case Keyword::normal_map:
+      reader.take();
+      return parse_normal_map(reader, context, word);
     case Keyword::slope_map:
+      reader.take();
+      return parse_slope_map(reader, word);
     case Keyword::texture_map:
-      fail_unsupported(reader, reader.take());
+      reader.take();
+      return parse_texture_map(reader, context, word);
+    case Keyword::density_map:
+      reader.take();
+      return parse_density_map(reader, context, word);
     default:
       break;
   }

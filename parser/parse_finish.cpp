@@ -92,7 +92,7 @@ bool accept_highlight(Reader& reader, Draft& draft) {
   return true;
 }
 
-/// Words that old scenes have in the finish, and words for what cannot be rendered.
+/// Words that old scenes have in the finish.
 bool accept_legacy(Reader& reader, Finish& finish) {
   if (reader.next_is(Keyword::ior)) {
     const Token word = reader.take();
@@ -102,11 +102,60 @@ bool accept_legacy(Reader& reader, Finish& finish) {
     const Token word = reader.take();
     finish.legacy_refraction = finite_number(reader, "refraction");
     reader.warn(word, "'refraction' belongs in 'interior', and is not needed to make light bend");
-  } else if (reader.next_is(Keyword::crand) || reader.next_is(Keyword::caustics)) {
+  } else if (reader.next_is(Keyword::caustics)) {
     const Token word = reader.take();
-    if (reader.number() != 0.0) fail_unsupported(reader, word);
-  } else if (reader.next_is(Keyword::irid) || reader.next_is(Keyword::subsurface)) {
-    fail_unsupported(reader, reader.take());
+    finish.legacy_caustics = finite_number(reader, "caustics");
+    finish.unrendered.add(feature_use(render::Feature::caustics, word));
+    reader.warn(word, "'caustics' belongs in 'interior'");
+  } else {
+    return false;
+  }
+  return true;
+}
+
+/// `irid { amount [thickness n] [turbulence n] }`
+void parse_irid(Reader& reader, const Token& word, Finish& finish) {
+  reader.open_block(word);
+  finish.irid = finite_number(reader, "irid");
+  for (;;) {
+    if (reader.accept(Keyword::thickness)) {
+      finish.irid_thickness = finite_number(reader, "thickness");
+    } else if (reader.accept(Keyword::turbulence)) {
+      finish.irid_turbulence = finite_vector(reader, "turbulence").x;  // only the first component counts
+    } else {
+      break;
+    }
+  }
+  reader.close_block();
+}
+
+/// `subsurface { [translucency colour] [anisotropy colour] }`
+void parse_subsurface(Reader& reader, const Token& word, Finish& finish) {
+  finish.subsurface = true;
+  reader.open_block(word);
+  for (;;) {
+    if (reader.accept(Keyword::translucency)) {
+      finish.subsurface_translucency = rgb(reader);
+    } else if (reader.accept(Keyword::anisotropy)) {
+      finish.subsurface_anisotropy = rgb(reader);
+    } else {
+      break;
+    }
+  }
+  reader.close_block();
+}
+
+bool accept_effect(Reader& reader, Finish& finish) {
+  const Token word = reader.peek();
+  if (reader.accept(Keyword::crand)) {
+    finish.crand = finite_number(reader, "crand");
+    finish.unrendered.add(feature_use(render::Feature::crand, word));
+  } else if (reader.accept(Keyword::irid)) {
+    parse_irid(reader, word, finish);
+    finish.unrendered.add(feature_use(render::Feature::irid, word));
+  } else if (reader.accept(Keyword::subsurface)) {
+    parse_subsurface(reader, word, finish);
+    finish.unrendered.add(feature_use(render::Feature::subsurface, word));
   } else {
     return false;
   }
@@ -134,7 +183,7 @@ bool accept_item(Reader& reader, Draft& draft) {
   } else if (reader.accept(Keyword::reflection_exponent)) {
     finish.reflection_exponent = parse_exponent(reader);
   } else {
-    return accept_highlight(reader, draft) || accept_legacy(reader, finish);
+    return accept_highlight(reader, draft) || accept_effect(reader, finish) || accept_legacy(reader, finish);
   }
   return true;
 }

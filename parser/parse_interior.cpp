@@ -9,7 +9,9 @@ using render::Transform;
 
 namespace {
 
-bool accept_item(Reader& reader, Interior& interior) {
+constexpr std::size_t kMostMedia = 1000;
+
+bool accept_item(Reader& reader, SceneContext& context, Interior& interior) {
   if (reader.accept(Keyword::ior)) {
     interior.ior = finite_number(reader, "ior");
     if (interior.ior == 0.0) interior.ior = 1.0;  // 0 stands for the air around
@@ -25,15 +27,20 @@ bool accept_item(Reader& reader, Interior& interior) {
     reader.warn(word, "'refraction' is not needed to make light bend");
   } else if (reader.next_is(Keyword::dispersion)) {
     const Token word = reader.take();
-    if (reader.number() != 1.0) fail_unsupported(reader, word);
+    interior.dispersion = finite_number(reader, "dispersion");
+    interior.unrendered.add(feature_use(render::Feature::dispersion, word));
   } else if (reader.accept(Keyword::dispersion_samples)) {
     const Token at = reader.peek();
-    if (!(reader.number() >= 2.0)) reader.fail(at, "'dispersion_samples' must be at least 2");
+    interior.dispersion_samples = integer(reader, "dispersion_samples");
+    if (interior.dispersion_samples < 2) reader.fail(at, "'dispersion_samples' must be at least 2");
   } else if (reader.next_is(Keyword::caustics)) {
     const Token word = reader.take();
-    if (reader.number() != 0.0) fail_unsupported(reader, word);
+    interior.caustics = finite_number(reader, "caustics");
+    interior.unrendered.add(feature_use(render::Feature::caustics, word));
   } else if (reader.next_is(Keyword::media)) {
-    fail_unsupported(reader, reader.take());
+    const Token word = reader.take();
+    if (interior.media.size() >= kMostMedia) reader.fail(word, "an 'interior' has more than 1000 media");
+    interior.media.push_back(parse_media(reader, context, word));
   } else {
     return false;
   }
@@ -42,11 +49,12 @@ bool accept_item(Reader& reader, Interior& interior) {
 
 }  // namespace
 
-Interior parse_interior(Reader& reader, const Token& word, const std::optional<Interior>& start) {
+Interior parse_interior(Reader& reader, SceneContext& context, const Token& word,
+                        const std::optional<Interior>& start) {
   reader.open_block(word);
   Interior interior = start.value_or(Interior());
   if (const auto declared = reader.accept_declared<Interior>()) interior = *declared;
-  while (accept_item(reader, interior)) {
+  while (accept_item(reader, context, interior)) {
   }
   reader.close_block();
   return interior;
@@ -70,9 +78,13 @@ void parse_material(Reader& reader, SceneContext& context, const Token& word, Ma
       const Token inner = reader.take();
       std::optional<Interior> start;
       if (material.interior) start = *material.interior;
-      material.interior = std::make_shared<const Interior>(parse_interior(reader, inner, start));
+      material.interior = std::make_shared<const Interior>(parse_interior(reader, context, inner, start));
     } else if (const auto transform = accept_transformation(reader)) {
       material.texture = moved(material.texture, *transform);
+      if (!material.interior) continue;
+      Interior interior = *material.interior;
+      move(interior, *transform);
+      material.interior = std::make_shared<const Interior>(std::move(interior));
     } else {
       break;
     }

@@ -1,182 +1,120 @@
+#include "parser/blend_map.h"
 #include "parser/parse_common.h"
+#include "parser/parse_image.h"
 #include "parser/parse_surface.h"
-#include "parser/parse_transform.h"
-#include "render/texture/patterns.h"
+#include "parser/pattern_owner.h"
+#include "render/texture/default_map.h"
 
-#include <array>
+#include <algorithm>
 #include <string>
 
 namespace firstlight::parser {
 
-using render::FilteredColor;
+using render::Feature;
+using render::PatternKind;
 using render::Pigment;
-using render::Rgb;
-using render::WaveForm;
 
 namespace {
 
-/// A block under way: the pigment and what has been said about it.
-struct Draft {
-  Pigment pigment;
-  bool typed = false;  ///< a colour or pattern was given
-  bool solid = false;  ///< it is a single colour
+class PigmentOwner final : public PatternOwner {
+ public:
+  explicit PigmentOwner(Pigment& pigment) : PatternOwner(PatternPlace::pigment, pigment.pattern), pigment_(pigment) {}
+
+  void parse_color(Reader& reader) override { pigment_.color = reader.color(); }
+  void parse_list(Reader& reader, SceneContext& context, std::size_t count) override;
+  void parse_item(Reader& reader, SceneContext& context) override;
+  void parse_image(Reader& reader, const Token& word) override {
+    pigment_.pattern.parameters = parse_image_map(reader, word);
+  }
+  bool accept_word(Reader& reader, SceneContext& context) override;
+  bool has_map() const override { return pigment_.pigments || !pigment_.map.empty(); }
+
+ private:
+  void set_pigments(Reader& reader, const Token& word, std::shared_ptr<const render::PigmentMap> pigments);
+
+  Pigment& pigment_;
 };
 
-const render::ColorMap& grey_map() {
-  static const render::ColorMap map{{0.0, {Rgb(0.0f), 0.0f, 0.0f}}, {1.0, {Rgb(1.0f), 0.0f, 0.0f}}};
-  return map;
+void PigmentOwner::set_pigments(Reader& reader, const Token& word, std::shared_ptr<const render::PigmentMap> pigments) {
+  nest(reader, word, pigment_.pattern.depth, pigments->depth);
+  pigment_.pigments = std::move(pigments);
+  pigment_.map.clear();
 }
 
-/// Up to map.size() colours, or as many pigments of one colour each; what is not given stays as it is.
-void parse_list(Reader& reader, SceneContext& context, render::ColorMap& map) {
+/// Colours, or pigments. A list of single colours is the same whichever way it is written.
+void PigmentOwner::parse_list(Reader& reader, SceneContext& context, std::size_t count) {
+  pigment_.pigments = nullptr;
+  pigment_.map = render::default_map(pigment_.pattern.kind);
   if (!reader.next_is(Keyword::pigment)) {
-    for (auto entry = map.begin(); entry != map.end() && reader.at_expression(); ++entry) {
+    for (auto entry = pigment_.map.begin(); entry != pigment_.map.end() && reader.at_expression(); ++entry) {
       entry->color = reader.color();
       reader.skip_comma();
     }
     return;
   }
-  for (auto& entry : map) {
-    entry.color = context.default_texture->layers[0].pigment.color;
-    if (!reader.next_is(Keyword::pigment)) continue;
-    const Token word = reader.take();
-    const Pigment pigment = parse_default_pigment(reader, context, word);
-    if (pigment.pattern) fail_unsupported(reader, word, "a patterned 'pigment' in a list");
-    entry.color = pigment.color;
-    reader.skip_comma();
+  const Token word = reader.peek();
+  const Pigment& missing = default_layer(context).pigment;
+  auto list = parse_block_list<Pigment>(reader, Keyword::pigment, count, missing, false, [&](const Token& block) {
+    return parse_pigment(reader, context, block, missing);
+  });
+  const bool single_colors = std::none_of(list->entries.begin(), list->entries.end(), [](const auto& entry) {
+    return render::is_patterned(entry.value.pattern.kind);
+  });
+  if (!single_colors) {
+    list->unrendered.add(feature_use(Feature::pigment_list, word));
+    return set_pigments(reader, word, std::move(list));
   }
+  for (std::size_t i = 0; i < count; ++i) pigment_.map[i].color = list->entries[i].value.color;
 }
 
-void parse_checker(Reader& reader, SceneContext& context, Draft& draft) {
-  draft.pigment.pattern = render::make_checker();
-  draft.pigment.stepped = true;
-  draft.pigment.wave.frequency = 0.0;
-  draft.pigment.map = {{0.0, {Rgb(0.0f, 0.0f, 1.0f), 0.0f, 0.0f}}, {1.0, {Rgb(0.0f, 1.0f, 0.0f), 0.0f, 0.0f}}};
-  parse_list(reader, context, draft.pigment.map);
+void PigmentOwner::parse_item(Reader& reader, SceneContext& context) {
+  const Token word = reader.peek();
+  set_pigments(reader, word,
+               single_entry(parse_pigment_contents(reader, context, word, default_layer(context).pigment)));
 }
 
-void parse_gradient(Reader& reader, Draft& draft) {
-  draft.pigment.pattern = render::make_gradient(finite_vector(reader, "axis of 'gradient'"));
-  if (draft.pigment.stepped) draft.pigment.map.clear();
-  draft.pigment.stepped = false;
-}
-
-/// The pattern or colour that begins a pigment, if there is one.
-void parse_type(Reader& reader, SceneContext& context, Draft& draft) {
-  if (at_color(reader)) {
-    draft.pigment.color = reader.color();
-    draft.pigment.pattern = nullptr;
-    draft.typed = draft.solid = true;
-    return;
-  }
-  const Token& next = reader.peek();
-  if (next.kind != TokenKind::keyword) return;
-  switch (next.keyword) {
-    case Keyword::checker:
-      reader.take();
-      parse_checker(reader, context, draft);
-      draft.typed = true;
-      return;
-    case Keyword::gradient:
-      reader.take();
-      parse_gradient(reader, draft);
-      draft.typed = true;
-      return;
-#define PATTERN(word) case Keyword::word:
-#include "parser/absent_patterns.def"
-#undef PATTERN
-      fail_unsupported(reader, reader.take());
-    default:
-      return;
-  }
-}
-
-bool accept_wave(Reader& reader, render::Wave& wave) {
-  if (reader.accept(Keyword::ramp_wave)) {
-    wave.form = WaveForm::ramp;
-  } else if (reader.accept(Keyword::triangle_wave)) {
-    wave.form = WaveForm::triangle;
-  } else if (reader.accept(Keyword::sine_wave)) {
-    wave.form = WaveForm::sine;
-  } else if (reader.accept(Keyword::scallop_wave)) {
-    wave.form = WaveForm::scallop;
-  } else if (reader.accept(Keyword::cubic_wave)) {
-    wave.form = WaveForm::cubic;
-  } else if (reader.accept(Keyword::poly_wave)) {
-    wave.form = WaveForm::poly;
-    wave.exponent = reader.optional_number(wave.exponent);
-  } else if (reader.accept(Keyword::frequency)) {
-    wave.frequency = finite_number(reader, "frequency");
-  } else if (reader.accept(Keyword::phase)) {
-    wave.phase = finite_number(reader, "phase");
+bool PigmentOwner::accept_word(Reader& reader, SceneContext& context) {
+  const Token word = reader.peek();
+  if (reader.accept(Keyword::color_map)) {
+    check_map_allowed(reader, word, pigment_.pattern, false);
+    pigment_.map = parse_color_map(reader, word);
+    pigment_.pigments = nullptr;
+  } else if (reader.accept(Keyword::pigment_map)) {
+    check_map_allowed(reader, word, pigment_.pattern, true);
+    set_pigments(reader, word, parse_pigment_map(reader, context, word, pigment_.pattern.kind == PatternKind::average));
+  } else if (reader.accept(Keyword::quick_color)) {
+    pigment_.quick_color = reader.color();
   } else {
     return false;
   }
   return true;
 }
 
-/// Words that change nothing in the pigments there are.
-bool accept_idle(Reader& reader) {
-  if (reader.accept(Keyword::octaves) || reader.accept(Keyword::omega) || reader.accept(Keyword::lambda)) {
-    reader.number();  // of turbulence
-  } else if (reader.accept(Keyword::noise_generator)) {
-    const Token at = reader.peek();
-    const double generator = reader.number();
-    if (!(generator >= 0.0 && generator < 4.0)) reader.fail(at, "'noise_generator' must be 0, 1, 2 or 3");
-  } else if (reader.accept(Keyword::quick_color)) {
-    reader.color();
-  } else {
-    return reader.accept(Keyword::no_bump_scale);
-  }
-  return true;
-}
-
-/// What may follow the type. False: the next token is none of it.
-bool accept_modifier(Reader& reader, Draft& draft) {
-  if (const auto transform = accept_transformation(reader)) {
-    draft.pigment.placement = draft.pigment.placement.then(*transform);
-    return true;
-  }
-  if (accept_wave(reader, draft.pigment.wave) || accept_idle(reader)) return true;
-  if (reader.next_is(Keyword::color_map)) {
-    const Token word = reader.take();
-    if (draft.solid || draft.pigment.stepped)
-      reader.fail(word, "'color_map' does not go with a single colour or a list of colours");
-    draft.pigment.map = parse_color_map(reader, word);
-    return true;
-  }
-  if (reader.next_is(Keyword::turbulence)) {
-    const Token word = reader.take();
-    const render::Vec3 amount = reader.vector3();
-    if (amount != render::Vec3(0.0) && !draft.solid) fail_unsupported(reader, word);
-    return true;
-  }
-  if (reader.next_is(Keyword::pigment_map) || reader.next_is(Keyword::warp)) fail_unsupported(reader, reader.take());
-  return false;
-}
-
 }  // namespace
 
-Pigment parse_pigment(Reader& reader, SceneContext& context, const Token& word, Pigment start, bool start_typed) {
-  reader.open_block(word);
-  Draft draft{std::move(start), start_typed, false};
-  if (const auto declared = reader.accept_declared<Pigment>()) {
-    draft.pigment = *declared;
-    draft.typed = true;
-  }
-  draft.solid = draft.typed && !draft.pigment.pattern;
-  parse_type(reader, context, draft);
-  while (accept_modifier(reader, draft)) {
-  }
-  if (!draft.typed) reader.warn(word, "'pigment' has no colour or pattern as its first item");
-  if (draft.pigment.pattern && draft.pigment.map.empty()) draft.pigment.map = grey_map();
-  reader.close_block();
-  return std::move(draft.pigment);
+std::shared_ptr<const render::PigmentMap> parse_pigment_map(Reader& reader, SceneContext& context, const Token& word,
+                                                            bool average) {
+  return parse_blend_map<Pigment>(reader, word, Feature::pigment_map, average, [&] {
+    return parse_pigment_contents(reader, context, word, default_layer(context).pigment);
+  });
 }
 
-Pigment parse_default_pigment(Reader& reader, SceneContext& context, const Token& word) {
-  return parse_pigment(reader, context, word, context.default_texture->layers[0].pigment,
-                       context.default_pigment_given);
+Pigment parse_pigment_contents(Reader& reader, SceneContext& context, const Token& word, Pigment start) {
+  Pigment pigment = std::move(start);
+  if (const auto declared = reader.accept_declared<Pigment>()) pigment = *declared;
+  PigmentOwner owner(pigment);
+  parse_pattern(reader, context, owner);
+  if (pigment.pattern.kind == PatternKind::none) {
+    reader.warn(word, "'pigment' has no colour or pattern as its first item");
+  }
+  return pigment;
+}
+
+Pigment parse_pigment(Reader& reader, SceneContext& context, const Token& word, Pigment start) {
+  reader.open_block(word);
+  Pigment pigment = parse_pigment_contents(reader, context, word, std::move(start));
+  reader.close_block();
+  return pigment;
 }
 
 }  // namespace firstlight::parser

@@ -60,8 +60,6 @@ void parse_statement(Reader& reader, SceneContext& context) {
     case Keyword::include:
     case Keyword::version:
       return reader.interpreter().run_bare_directive();
-    case Keyword::media:
-      fail_unsupported(reader, reader.take());
     default:
       if (accept_atmosphere(reader, context)) return;
       return parse_top_object(reader, context);

@@ -2,7 +2,9 @@
 #include "parser/parse_surface.h"
 #include "parser/parse_transform.h"
 
+#include <algorithm>
 #include <string>
+#include <unordered_map>
 
 namespace firstlight::parser {
 
@@ -39,42 +41,57 @@ class Draft {
   std::shared_ptr<Texture> own_;
 };
 
-/// If the next word is `pigment` or `finish`: takes its block, which alters the top layer. `typed`: see
-/// parse_pigment().
-bool accept_part(Reader& reader, SceneContext& context, Draft& draft, bool typed) {
-  if (reader.next_is(Keyword::pigment)) {
-    const Token word = reader.take();
-    draft.change_top().pigment = parse_pigment(reader, context, word, draft.top().pigment, typed);
-    return true;
-  }
-  if (reader.next_is(Keyword::finish)) {
-    const Token word = reader.take();
+/// If the next word is `pigment`, `normal` or `finish`: takes its block, which alters the top layer.
+bool accept_part(Reader& reader, SceneContext& context, Draft& draft) {
+  const Token word = reader.peek();
+  if (reader.accept(Keyword::pigment)) {
+    draft.change_top().pigment = parse_pigment(reader, context, word, draft.top().pigment);
+  } else if (reader.accept(Keyword::finish)) {
     draft.change_top().finish = parse_finish(reader, word, draft.top().finish);
-    return true;
+  } else if (reader.accept(Keyword::normal)) {
+    draft.change_top().normal =
+        std::make_shared<render::Normal>(parse_normal(reader, context, word, draft.top().normal.get()));
+  } else {
+    return false;
   }
-  if (reader.next_is(Keyword::normal)) fail_unsupported(reader, reader.take());
-  return false;
+  return true;
 }
 
-/// Textures made of other textures, none of which can be rendered.
-void refuse_patterned(Reader& reader) {
-  const Token& next = reader.peek();
-  if (next.kind != TokenKind::keyword) return;
-  switch (next.keyword) {
-    case Keyword::tiles:
-    case Keyword::material_map:
-    case Keyword::texture_map:
-    case Keyword::checker:
-    case Keyword::gradient:
-#define PATTERN(word) case Keyword::word:
-#include "parser/absent_patterns.def"
-#undef PATTERN
-    {
-      const Token word = reader.take();
-      fail_unsupported(reader, word, "a texture made of textures by " + quoted(word));
+/// Declared parts may stand in a texture without a block of their own.
+bool accept_declared_part(Reader& reader, Draft& draft) {
+  if (const auto pigment = reader.accept_declared<render::Pigment>()) {
+    draft.change_top().pigment = *pigment;
+  } else if (const auto finish = reader.accept_declared<render::Finish>()) {
+    draft.change_top().finish = *finish;
+  } else if (const auto normal = reader.accept_declared<render::Normal>()) {
+    draft.change_top().normal = normal;
+  } else {
+    return false;
+  }
+  return true;
+}
+
+void set_no_bump_scale(Draft& draft) {
+  TextureLayer& top = draft.change_top();
+  top.keeps_bump_size = true;
+  if (!top.patterned) return;
+  auto pattern = std::make_shared<render::TexturePattern>(*top.patterned);
+  pattern->pattern.keeps_bump_size = true;
+  top.patterned = std::move(pattern);
+}
+
+/// Transformations, which apply to all layers. True: there were some.
+bool parse_placement(Reader& reader, Draft& draft) {
+  bool any = false;
+  for (;;) {
+    if (const auto transform = accept_transformation(reader)) {
+      draft.move(*transform);
+      any = true;
+    } else if (reader.accept(Keyword::no_bump_scale)) {
+      set_no_bump_scale(draft);
+    } else {
+      return any;
     }
-    default:
-      return;
   }
 }
 
@@ -83,128 +100,160 @@ void filter_to_transmit(FilteredColor& color) {
   color.filter = 0.0f;
 }
 
-void filter_to_transmit(render::Pigment& pigment) {
-  filter_to_transmit(pigment.color);
-  for (auto& entry : pigment.map) filter_to_transmit(entry.color);
+/// Turns filter into transmit wherever a pigment has it. Maps are shared, so each is changed once.
+class Untinted {
+ public:
+  void change(render::Pigment& pigment) {
+    if (!render::is_patterned(pigment.pattern.kind)) return filter_to_transmit(pigment.color);
+    for (auto& entry : pigment.map) filter_to_transmit(entry.color);
+    if (pigment.pigments) pigment.pigments = changed(pigment.pigments);
+  }
+
+ private:
+  using MapPtr = std::shared_ptr<const render::PigmentMap>;
+  MapPtr changed(const MapPtr& map) {
+    if (const auto known = done_.find(map); known != done_.end()) return known->second;
+    auto result = std::make_shared<render::PigmentMap>(*map);
+    for (auto& entry : result->entries) change(entry.value);
+    return done_[map] = result;
+  }
+  std::unordered_map<MapPtr, MapPtr> done_;
+};
+
+/// A texture that is one layer made of textures can be neither over nor under another.
+void check_layers(Reader& reader, const TexturePtr& upper, const TexturePtr& lower) {
+  const Token at = reader.peek();
+  if (lower && upper->layers.size() + lower->layers.size() > kMaxLayers) {
+    reader.fail(at, "a texture cannot have more than " + std::to_string(kMaxLayers) + " layers");
+  }
+  if (lower && lower->layers.front().patterned)
+    reader.fail(at, "a texture cannot lie over one that is made of textures");
+  if (lower && upper->layers.front().patterned) reader.fail(at, "a texture made of textures cannot lie over another");
 }
 
 }  // namespace
 
-TexturePtr moved(const TexturePtr& texture, const Transform& transform) {
-  if (!texture || transform.is_identity()) return texture;
-  auto result = std::make_shared<Texture>(*texture);
-  for (TextureLayer& layer : result->layers) layer.pigment.placement = layer.pigment.placement.then(transform);
-  return result;
-}
-
 TexturePtr layered(Reader& reader, const TexturePtr& upper, const TexturePtr& lower) {
   if (!upper) return lower;
-  if (lower && upper->layers.size() + lower->layers.size() > kMaxLayers) {
-    reader.fail(reader.peek(), "a texture cannot have more than " + std::to_string(kMaxLayers) + " layers");
-  }
+  check_layers(reader, upper, lower);
   const bool old_rules = language_version(reader) <= 310;
   if (!lower && !(old_rules && upper->layers.size() > 1)) return upper;
   auto result = std::make_shared<Texture>(*upper);
   // before 3.5 the light that passed a layer onto the next one was not tinted
   const std::size_t untinted = !old_rules ? 0 : lower ? upper->layers.size() : upper->layers.size() - 1;
-  for (std::size_t i = 0; i < untinted; ++i) filter_to_transmit(result->layers[i].pigment);
+  Untinted change;
+  for (std::size_t i = 0; i < untinted; ++i) change.change(result->layers[i].pigment);
   if (lower) result->layers.insert(result->layers.end(), lower->layers.begin(), lower->layers.end());
   return result;
 }
 
-TexturePtr parse_texture(Reader& reader, SceneContext& context, const Token& word) {
-  reader.open_block(word);
+TexturePtr parse_texture_contents(Reader& reader, SceneContext& context) {
   const auto declared = reader.accept_declared<Texture>();
   Draft draft(declared ? declared : context.default_texture);
-  bool typed = declared || context.default_pigment_given;
+  if (draft.top().patterned) {
+    parse_placement(reader, draft);
+    return draft.finished();
+  }
   bool changed = declared != nullptr;
-  // declared parts may stand here without a block of their own
-  for (;; changed = true) {
-    if (const auto pigment = reader.accept_declared<render::Pigment>()) {
-      draft.change_top().pigment = *pigment;
-      typed = true;
-    } else if (const auto finish = reader.accept_declared<render::Finish>()) {
-      draft.change_top().finish = *finish;
-    } else {
-      break;
-    }
-  }
-  for (;;) {
-    if (accept_part(reader, context, draft, typed)) {
-      changed = typed = true;
-    } else if (const auto transform = accept_transformation(reader)) {
-      draft.move(*transform);
-      changed = true;
-    } else if (!reader.accept(Keyword::no_bump_scale)) {
-      break;
-    }
-  }
-  if (!changed) refuse_patterned(reader);
-  reader.close_block();
-  return draft.finished();
+  while (accept_declared_part(reader, draft)) changed = true;
+  while (accept_part(reader, context, draft) || parse_placement(reader, draft)) changed = true;
+  if (changed) return draft.finished();
+  const TexturePtr patterned = parse_texture_pattern(reader, context);
+  if (!patterned) return draft.finished();
+  Draft whole(patterned);
+  parse_placement(reader, whole);
+  return whole.finished();
 }
+
+TexturePtr parse_texture(Reader& reader, SceneContext& context, const Token& word) {
+  reader.open_block(word);
+  TexturePtr texture = parse_texture_contents(reader, context);
+  reader.close_block();
+  return texture;
+}
+
+namespace {
+
+/// What is there already, with the transformations that came after it made part of it.
+void settle(TexturePtr& texture, Transform& placement) {
+  texture = moved(texture, placement);
+  placement = Transform();
+}
+
+void parse_object_texture(Reader& reader, SceneContext& context, TexturePtr& texture, Transform& placement) {
+  const Token word = reader.take();
+  const TexturePtr upper = parse_texture(reader, context, word);
+  settle(texture, placement);
+  texture = layered(reader, upper, texture);
+}
+
+void parse_object_parts(Reader& reader, SceneContext& context, Object& object) {
+  settle(object.texture, object.texture_placement);
+  if (object.texture && object.texture->layers.front().patterned) {
+    const Token word = reader.peek();
+    reader.fail(word, quoted(word) + " cannot alter a texture that is made of textures");
+  }
+  Draft draft(object.texture ? object.texture : context.default_texture);
+  while (accept_part(reader, context, draft)) {
+  }
+  object.texture = draft.finished();
+}
+
+void parse_object_material(Reader& reader, SceneContext& context, Object& object) {
+  const Token word = reader.take();
+  settle(object.texture, object.texture_placement);
+  settle(object.interior_texture, object.interior_texture_placement);
+  Material material;
+  material.texture = object.texture;
+  material.interior_texture = object.interior_texture;
+  if (object.interior) material.interior = std::make_shared<const render::Interior>(*object.interior);
+  parse_material(reader, context, word, material);
+  object.texture = material.texture;
+  object.interior_texture = material.interior_texture;
+  object.interior.reset();
+  if (material.interior) object.interior = *material.interior;
+}
+
+/// Objects in the patterns of surfaces count as part of the object, for its depth.
+void deepen(Object& object) {
+  for (const TexturePtr& texture : {object.texture, object.interior_texture}) {
+    if (!texture) continue;
+    object.textured = true;
+    object.depth = std::max(object.depth, depth_of(*texture));
+  }
+  if (object.interior) object.depth = std::max(object.depth, depth_of(*object.interior));
+}
+
+}  // namespace
 
 bool accept_surface_modifier(Reader& reader, SceneContext& context, Object& object) {
   const Token& next = reader.peek();
   if (next.kind != TokenKind::keyword) return false;
-  // what is there already, with the transformations that came after it made part of it
-  const auto settle = [](TexturePtr& texture, Transform& placement) {
-    texture = moved(texture, placement);
-    placement = Transform();
-  };
   switch (next.keyword) {
-    case Keyword::texture: {
-      const Token word = reader.take();
-      const TexturePtr upper = parse_texture(reader, context, word);
-      settle(object.texture, object.texture_placement);
-      object.texture = layered(reader, upper, object.texture);
-      object.textured = true;
-      return true;
-    }
-    case Keyword::interior_texture: {
-      const Token word = reader.take();
-      const TexturePtr upper = parse_texture(reader, context, word);
-      settle(object.interior_texture, object.interior_texture_placement);
-      object.interior_texture = layered(reader, upper, object.interior_texture);
-      object.textured = true;
-      return true;
-    }
+    case Keyword::texture:
+      parse_object_texture(reader, context, object.texture, object.texture_placement);
+      break;
+    case Keyword::interior_texture:
+      parse_object_texture(reader, context, object.interior_texture, object.interior_texture_placement);
+      break;
     case Keyword::pigment:
     case Keyword::finish:
-    case Keyword::normal: {
-      settle(object.texture, object.texture_placement);
-      const bool typed = object.texture || context.default_pigment_given;
-      Draft draft(object.texture ? object.texture : context.default_texture);
-      while (accept_part(reader, context, draft, typed)) {
-      }
-      object.texture = draft.finished();
-      object.textured = true;
-      return true;
-    }
+    case Keyword::normal:
+      parse_object_parts(reader, context, object);
+      break;
     case Keyword::interior: {
       const Token word = reader.take();
-      object.interior = parse_interior(reader, word, object.interior);
-      return true;
+      object.interior = parse_interior(reader, context, word, object.interior);
+      break;
     }
-    case Keyword::material: {
-      const Token word = reader.take();
-      settle(object.texture, object.texture_placement);
-      settle(object.interior_texture, object.interior_texture_placement);
-      Material material;
-      material.texture = object.texture;
-      material.interior_texture = object.interior_texture;
-      if (object.interior) material.interior = std::make_shared<const render::Interior>(*object.interior);
-      parse_material(reader, context, word, material);
-      object.texture = material.texture;
-      object.interior_texture = material.interior_texture;
-      object.interior.reset();
-      if (material.interior) object.interior = *material.interior;
-      object.textured = object.textured || object.texture;
-      return true;
-    }
+    case Keyword::material:
+      parse_object_material(reader, context, object);
+      break;
     default:
       return false;
   }
+  deepen(object);
+  return true;
 }
 
 }  // namespace firstlight::parser

@@ -8,6 +8,7 @@
 #include "render/math/transform.h"
 #include "render/scene/atmosphere.h"
 #include "render/scene/object.h"
+#include "render/texture/media.h"
 #include "render/texture/texture.h"
 
 #include <array>
@@ -59,6 +60,14 @@ using Value = std::variant<std::monostate,                             // declar
                            std::shared_ptr<const render::Interior>,    // interior
                            std::shared_ptr<const Material>,            // material
                            std::shared_ptr<const render::ColorMap>,    // color_map
+                           std::shared_ptr<const render::Normal>,      // normal
+                           std::shared_ptr<const render::Density>,     // density
+                           std::shared_ptr<const render::Media>,       // media
+                           std::shared_ptr<const render::PigmentMap>,  // pigment_map
+                           std::shared_ptr<const render::NormalMap>,   // normal_map
+                           std::shared_ptr<const render::SlopeMap>,    // slope_map
+                           std::shared_ptr<const render::TextureMap>,  // texture_map
+                           std::shared_ptr<const render::DensityMap>,  // density_map
                            std::shared_ptr<const render::Camera>,      // camera
                            std::shared_ptr<const render::Transform>,   // transform
                            render::FunctionPtr,                        // function

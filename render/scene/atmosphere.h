@@ -4,6 +4,7 @@
 #include "render/math/color.h"
 #include "render/math/transform.h"
 #include "render/math/vec.h"
+#include "render/texture/media.h"
 #include "render/texture/pigment.h"
 
 #include <memory>
@@ -64,6 +65,7 @@ struct SkySphere {
 struct Atmosphere {
   std::vector<Fog> fogs;          ///< in the order of the scene text
   std::vector<Rainbow> rainbows;  ///< the same
+  std::vector<Media> media;       ///< where no object is, or a hollow one
   std::shared_ptr<const SkySphere> sky_sphere;
 };
 

@@ -15,6 +15,7 @@ std::shared_ptr<const Object> placed(const std::shared_ptr<const Object>& object
 void place(Object& object, const Transform& transform) {
   object.placement = object.placement.then(transform);
   if (object.texture) object.texture_placement = object.texture_placement.then(transform);
+  if (object.interior) move(*object.interior, transform);
   if (object.interior_texture) object.interior_texture_placement = object.interior_texture_placement.then(transform);
 }
 

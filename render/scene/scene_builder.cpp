@@ -84,8 +84,9 @@ Inherited SceneBuilder::State::at_node(const Object& object, const Inherited& pa
     Interior interior = object.interior.value_or(Interior());
     if (!object.interior) interior.ior = scene->settings.atmosphere_ior;
     node.interior = static_cast<std::uint32_t>(scene->interiors.size());
-    scene->interiors.push_back(interior);
-    scene->unrendered.add(interior.unrendered);
+    move(interior, parent.to_world);
+    gather(interior, scene->unrendered);
+    scene->interiors.push_back(std::move(interior));
   }
   if (node.texture != kNoIndex) promote_finish(node.texture, node.interior);
   node.hidden_from |= hidden_bits(object);
@@ -100,9 +101,10 @@ Inherited SceneBuilder::State::at_node(const Object& object, const Inherited& pa
 void SceneBuilder::State::promote_finish(std::uint32_t texture, std::uint32_t interior) {
   Interior& matter = scene->interiors[interior];
   const Texture& look = textures.texture(texture);
-  if (!look.layers.empty()) {
+  if (!look.layers.empty() && !look.layers.front().patterned) {
     const Finish& finish = look.layers.front().finish;
     if (finish.legacy_ior > 0.0) matter.ior = finish.legacy_ior;
+    if (finish.legacy_caustics >= 0.0) matter.caustics = finish.legacy_caustics;
     matter.refraction_scale = finish.legacy_refraction;
   }
   if (matter.ior == 0.0) matter.ior = scene->settings.atmosphere_ior;
@@ -192,11 +194,7 @@ void SceneBuilder::State::note_object(const std::shared_ptr<const Object>& objec
 
 void SceneBuilder::State::note_surfaces() {
   for (const PlacedTexture& placed : scene->textures) {
-    for (const TextureLayer& layer : placed.texture->layers) {
-      for (const FeatureUses* uses : {&layer.unrendered, &layer.pigment.unrendered, &layer.finish.unrendered}) {
-        scene->unrendered.add(*uses);
-      }
-    }
+    gather(*placed.texture, scene->unrendered);
   }
 }
 
@@ -232,9 +230,10 @@ void SceneBuilder::State::note_atmosphere() {
   const Atmosphere& atmosphere = scene->atmosphere;
   for (const Fog& fog : atmosphere.fogs) scene->unrendered.add(fog.unrendered);
   for (const Rainbow& rainbow : atmosphere.rainbows) scene->unrendered.add(rainbow.unrendered);
+  for (const Media& media : atmosphere.media) gather(media, scene->unrendered);
   if (!atmosphere.sky_sphere) return;
   scene->unrendered.add(atmosphere.sky_sphere->unrendered);
-  for (const Pigment& pigment : atmosphere.sky_sphere->pigments) scene->unrendered.add(pigment.unrendered);
+  for (const Pigment& pigment : atmosphere.sky_sphere->pigments) gather(pigment, scene->unrendered);
 }
 
 void SceneBuilder::State::finish() {

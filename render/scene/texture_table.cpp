@@ -7,11 +7,6 @@
 namespace firstlight::render {
 namespace {
 
-bool same_everywhere(const Texture& texture) {
-  return std::none_of(texture.layers.begin(), texture.layers.end(),
-                      [](const TextureLayer& layer) { return layer.pigment.pattern != nullptr; });
-}
-
 SurfaceKind surface_kind(const Texture& texture) {
   if (!is_opaque(texture)) return SurfaceKind::clear;
   const auto any = [&](auto has) {
@@ -40,7 +35,7 @@ std::size_t TextureTable::KeyHash::operator()(const Key& key) const {
 }
 
 std::uint32_t TextureTable::index_of(const TexturePtr& texture, const Transform& to_world) {
-  const Transform place = same_everywhere(*texture) ? Transform() : to_world;
+  const Transform place = is_plain(*texture) ? Transform() : to_world;
   const auto [found, is_new] =
       places_.try_emplace({texture.get(), place.matrix()}, static_cast<std::uint32_t>(entries_.size()));
   if (is_new) {

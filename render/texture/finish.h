@@ -1,7 +1,7 @@
 #pragma once
 
-#include "render/math/color.h"
 #include "render/feature/feature.h"
+#include "render/math/color.h"
 
 namespace firstlight::render {
 
@@ -27,11 +27,23 @@ struct Finish {
   bool reflection_fresnel = false;
   bool conserve_energy = false;
 
-  FeatureUses unrendered = {};
+  double crand = 0.0;  ///< strength of random darkening
+  double irid = 0.0;   ///< strength of the colours of a thin film
+  double irid_thickness = 0.0;
+  double irid_turbulence = 0.0;
+  bool subsurface = false;
+  Rgb subsurface_translucency{0.0f, 0.0f, 0.0f};
+  Rgb subsurface_anisotropy{0.0f, 0.0f, 0.0f};
+
+  FeatureUses unrendered = {};  ///< of crand, irid, subsurface, caustics
 
   // Of old scenes, which put these into the finish; scene building moves them to the interior.
   double legacy_ior = 0.0;         ///< 0: not given
   double legacy_refraction = 1.0;  ///< factor on light that passes
+  double legacy_caustics = -1.0;   ///< below 0: not given
 };
+
+/// Adds what the finish asks for that cannot be rendered.
+void gather(const Finish& finish, FeatureUses& uses);
 
 }  // namespace firstlight::render

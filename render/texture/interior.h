@@ -1,7 +1,10 @@
 #pragma once
 
-#include "render/math/color.h"
 #include "render/feature/feature.h"
+#include "render/math/color.h"
+#include "render/texture/media.h"
+
+#include <vector>
 
 namespace firstlight::render {
 
@@ -11,9 +14,20 @@ struct Interior {
   double fade_distance = 0.0;  ///< scene units; 0 switches fading off
   double fade_power = 0.0;     ///< 1000 and more: exponential
   Rgb fade_color{0.0f, 0.0f, 0.0f};
+  double caustics = 0.0;
+  double dispersion = 1.0;  ///< index for violet over index for red
+  int dispersion_samples = 7;
+  std::vector<Media> media;
   double refraction_scale =
-      1.0;  ///< the old `refraction` factor on light that passes; 1 unless a legacy finish sets it
-  FeatureUses unrendered = {};
+      1.0;                 ///< the old `refraction` factor on light that passes; 1 unless a legacy finish sets it
+  FeatureUses unrendered = {};  ///< of caustics and dispersion
 };
+
+/// Moves the media on.
+void move(Interior& interior, const Transform& transform);
+/// Adds what the interior asks for that cannot be rendered.
+void gather(const Interior& interior, FeatureUses& uses);
+/// Levels of descriptions in it.
+std::uint32_t depth_of(const Interior& interior);
 
 }  // namespace firstlight::render

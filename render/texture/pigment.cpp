@@ -1,48 +1,19 @@
 #include "render/texture/pigment.h"
 
+#include "render/texture/default_map.h"
+
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <numbers>
 
 namespace firstlight::render {
 namespace {
 
 /// A filter or transmit below this lets no light through. [POV-Ray 3.7]
 constexpr double kOpaqueBelow = 1e-10;
-/// Patterns are evaluated no farther from their origin than this. [POV-Ray 3.7]
-constexpr double kFarthest = 1e17;
-/// One period of the phase. A little above 1, so that the value 1 of a pattern is not folded to 0. [POV-Ray 3.7]
-constexpr double kPeriod = 1.00001;
 
-double fraction(double value) { return value - std::floor(value); }
-
-/// POV-Ray keeps map positions and the numbers of waves in single precision, and computes with them in double.
+/// POV-Ray keeps map positions in single precision, and computes with them in double.
 double stored(double number) { return static_cast<float>(number); }
-
-/// Place in the colour map, for a pattern's bare value. [POV-Ray 3.7 manual, "Wave Forms"]
-double shaped(const Wave& wave, double value) {
-  const double frequency = stored(wave.frequency);
-  if (frequency != 0.0) value = std::fmod(value * frequency + stored(wave.phase), kPeriod);
-  if (value < 0.0) value -= std::floor(value);
-  switch (wave.form) {
-    case WaveForm::ramp:
-      return value;
-    case WaveForm::triangle: {
-      const double along = fraction(value);
-      return along >= 0.5 ? 2.0 * (1.0 - along) : 2.0 * along;
-    }
-    case WaveForm::sine:
-      return 0.5 * (1.0 + std::sin(2.0 * std::numbers::pi * fraction(value)));
-    case WaveForm::scallop:
-      return std::abs(std::sin(2.0 * std::numbers::pi * fraction(0.5 * value)));
-    case WaveForm::cubic:
-      return value * value * (3.0 - 2.0 * value);
-    case WaveForm::poly:
-      return std::pow(value, stored(wave.exponent));
-  }
-  return value;
-}
 
 /// a + t (b - a), every step rounded to single precision as POV-Ray's colours are.
 float blend(float a, float b, double t) { return a + static_cast<float>((b - a) * t); }
@@ -72,23 +43,34 @@ bool lets_light_through(const FilteredColor& color) {
 
 }  // namespace
 
+const ColorMap& map_of(const Pigment& pigment) {
+  return pigment.map.empty() ? default_map(pigment.pattern.kind) : pigment.map;
+}
+
 FilteredColor color_at(const Pigment& pigment, const Vec3& point) {
-  if (!pigment.pattern) return pigment.color;
-  if (pigment.map.empty()) return {};
-  const Vec3 there = pigment.placement.inverse_point(point);
-  const auto inside = [](double x) { return std::clamp(x, -kFarthest, kFarthest); };
-  const double value = pigment.pattern->value({inside(there.x), inside(there.y), inside(there.z)});
-  if (pigment.stepped) {
-    const double last = static_cast<double>(pigment.map.size() - 1);
-    return pigment.map[static_cast<std::size_t>(std::clamp(value, 0.0, last))].color;
+  if (!pigment.pattern.field) return pigment.color;
+  const ColorMap& map = map_of(pigment);
+  const double value = value_at(pigment.pattern, point);
+  if (is_list(pigment.pattern.kind)) {
+    const double last = static_cast<double>(map.size() - 1);
+    return map[static_cast<std::size_t>(std::clamp(value, 0.0, last))].color;
   }
-  return look_up(pigment.map, shaped(pigment.wave, value));
+  return look_up(map, shaped(pigment.pattern.wave, value));
 }
 
 bool lets_light_through(const Pigment& pigment) {
-  if (!pigment.pattern) return lets_light_through(pigment.color);
-  return std::any_of(pigment.map.begin(), pigment.map.end(),
+  if (!is_patterned(pigment.pattern.kind)) return lets_light_through(pigment.color);
+  if (is_image(pigment.pattern.kind)) return true;
+  if (pigment.pigments) return pigment.pigments->translucent;
+  const ColorMap& map = map_of(pigment);
+  return std::any_of(map.begin(), map.end(),
                      [](const ColorMapEntry& entry) { return lets_light_through(entry.color); });
+}
+
+void gather(const Pigment& pigment, FeatureUses& uses) {
+  if (!is_patterned(pigment.pattern.kind)) return;
+  gather(pigment.pattern, uses);
+  if (pigment.pigments) uses.add(pigment.pigments->unrendered);
 }
 
 }  // namespace firstlight::render

@@ -1,48 +1,44 @@
 #pragma once
 
-#include "render/math/color.h"
-#include "render/math/transform.h"
 #include "render/feature/feature.h"
-#include "render/texture/pattern.h"
+#include "render/math/color.h"
+#include "render/texture/patterning.h"
 
 #include <memory>
+#include <optional>
 #include <vector>
 
 namespace firstlight::render {
-
-/// How a pattern's value becomes a place in the colour map. [POV-Ray 3.7 manual, "Wave Forms"]
-enum class WaveForm { ramp, triangle, sine, scallop, cubic, poly };
-
-struct Wave {
-  WaveForm form = WaveForm::ramp;
-  double exponent = 1.0;  ///< of poly_wave
-  double frequency = 1.0;
-  double phase = 0.0;
-};
 
 struct ColorMapEntry {
   double position = 0.0;
   FilteredColor color;
 };
 
-/// Entries in rising order of position; colours between them are interpolated, beyond them they stay.
+/// Entries in rising order of position; colours between them are interpolated, beyond them they stay. Of a list
+/// pattern: its colours in order.
 using ColorMap = std::vector<ColorMapEntry>;
+using PigmentMap = BlendMap<Pigment>;
 
-/// Colour of a surface at a point: one colour, or a pattern through a colour map. Plain data.
+/// Colour of a surface at a point: one colour, or a pattern through a map of colours or of pigments. Plain data.
 struct Pigment {
-  FilteredColor color;                     ///< used when there is no pattern
-  std::shared_ptr<const Pattern> pattern;  ///< null for a solid colour
-  bool stepped = false;  ///< a list pattern (checker): map positions are list places, no wave, no blending
-  Wave wave;
-  ColorMap map;
-  FeatureUses unrendered = {};
-  Transform placement;  ///< pattern space to the space of the texture
+  FilteredColor color;  ///< of PatternKind::plain; nothing said means black
+  Patterning pattern;
+  ColorMap map;                                ///< empty: the pattern's own, see map_of()
+  std::shared_ptr<const PigmentMap> pigments;  ///< instead of `map`; with uv_mapping and average the only form
+  std::optional<FilteredColor> quick_color;    ///< shown by quick previews; not by pictures
 };
+
+/// The colours that show: the pigment's map, or what POV-Ray gives the pattern when there is none.
+const ColorMap& map_of(const Pigment& pigment);
 
 /// The pigment's colour at `point`, given in the space that the pigment is placed in.
 FilteredColor color_at(const Pigment& pigment, const Vec3& point);
 
 /// Whether the pigment lets light through anywhere.
 bool lets_light_through(const Pigment& pigment);
+
+/// Adds what the pigment asks for that cannot be rendered.
+void gather(const Pigment& pigment, FeatureUses& uses);
 
 }  // namespace firstlight::render

@@ -55,14 +55,13 @@ struct PigmentLimits {
   Channels body{};              ///< most of colour times opacity: what its own and its diffuse light are multiplied by
 
   PigmentLimits(const Pigment& pigment, int language_version) : old_opacity_(language_version < 370) {
-    if (!pigment.pattern) {
+    if (!pigment.pattern.field) {
       include(pigment.color, pigment.color, 0.0);
-    } else if (pigment.map.empty()) {
-      include({}, {}, 0.0);
     } else {
-      for (const ColorMapEntry& entry : pigment.map) include(entry.color, entry.color, 0.0);
-      for (std::size_t i = 1; !pigment.stepped && i < pigment.map.size(); ++i) {
-        include(pigment.map[i - 1].color, pigment.map[i].color, kBlendError);
+      const ColorMap& map = map_of(pigment);
+      for (const ColorMapEntry& entry : map) include(entry.color, entry.color, 0.0);
+      for (std::size_t i = 1; !is_list(pigment.pattern.kind) && i < map.size(); ++i) {
+        include(map[i - 1].color, map[i].color, kBlendError);
       }
     }
     if (old_opacity_) {

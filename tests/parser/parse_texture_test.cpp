@@ -66,7 +66,7 @@ TEST(ParseTexture, CheckerIsBlueAndGreenUnlessColorsAreGiven) {
 
 TEST(ParseTexture, WaveWordsAreKept) {
   const auto scene = scene_of("sphere { 0, 1 pigment { gradient x poly_wave 2 frequency 3 phase 0.25 } }");
-  const render::Wave& wave = scene->textures.at(scene->parts.at(0).texture).texture->layers[0].pigment.wave;
+  const render::Wave& wave = scene->textures.at(scene->parts.at(0).texture).texture->layers[0].pigment.pattern.wave;
   EXPECT_EQ(wave.form, render::WaveForm::poly);
   EXPECT_EQ(wave.exponent, 2.0);
   EXPECT_EQ(wave.frequency, 3.0);
@@ -193,20 +193,6 @@ TEST(ParseTexture, OldFinishGivesTheInteriorItsIor) {
   ASSERT_TRUE(result.scene);
   EXPECT_EQ(result.scene->interiors.at(result.scene->parts.at(0).interior).ior, 1.7);
   EXPECT_NE(warnings(result).find("'ior' belongs in 'interior'"), std::string::npos);
-}
-
-TEST(ParseTexture, WhatCannotBeRenderedIsNamed) {
-  const auto unsupported = [](const char* word) {
-    return "'" + std::string(word) + "' is not supported by this version of Firstlight\n";
-  };
-  EXPECT_EQ(errors(load("sphere { 0, 1 pigment { bozo } }")), unsupported("bozo"));
-  EXPECT_EQ(errors(load("sphere { 0, 1 pigment { gradient x turbulence 0.5 } }")), unsupported("turbulence"));
-  EXPECT_EQ(errors(load("sphere { 0, 1 texture { pigment { image_map { png \"a.png\" } } } }")),
-            unsupported("image_map"));
-  EXPECT_EQ(errors(load("sphere { 0, 1 finish { irid { 0.3 } } }")), unsupported("irid"));
-  EXPECT_EQ(errors(load("sphere { 0, 1 interior { media { emission 1 } } }")), unsupported("media"));
-  EXPECT_EQ(errors(load("sphere { 0, 1 interior { dispersion 1.02 } }")), unsupported("dispersion"));
-  EXPECT_EQ(errors(load("#default { normal { bumps } }")), unsupported("normal"));
 }
 
 TEST(ParseTexture, LayersAreLimited) {

@@ -2,7 +2,7 @@
 
 #include "render/scene/scene_builder.h"
 #include "render/shape/primitives.h"
-#include "render/texture/patterns.h"
+#include "render/texture/patterning.h"
 
 #include <utility>
 
@@ -15,8 +15,7 @@ TexturePtr texture_of(const FilteredColor& color, const Finish& finish, const Fi
   TextureLayer layer;
   layer.pigment.color = color;
   if (other != nullptr) {
-    layer.pigment.pattern = make_checker();
-    layer.pigment.stepped = true;
+    layer.pigment.pattern = patterned(PatternKind::checker);
     layer.pigment.map = {{0.0, color}, {1.0, *other}};
   }
   layer.finish = finish;

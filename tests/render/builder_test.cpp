@@ -1,7 +1,7 @@
 #include "render/scene/scene_builder.h"
 
 #include "render/shape/primitives.h"
-#include "render/texture/patterns.h"
+#include "render/texture/patterning.h"
 
 #include <gtest/gtest.h>
 
@@ -21,7 +21,7 @@ TexturePtr solid_texture(float level) {
 TexturePtr patterned_texture() {
   auto texture = std::make_shared<Texture>();
   texture->layers.emplace_back();
-  texture->layers[0].pigment.pattern = make_checker();
+  texture->layers[0].pigment.pattern = patterned(PatternKind::checker);
   texture->layers[0].pigment.map = {{0.0, {}}, {1.0, {}}};
   return texture;
 }

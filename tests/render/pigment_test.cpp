@@ -20,8 +20,8 @@ FilteredColor grey_of(float level) {
 /// Along x from black to white, so that the red of a colour is the place in the map.
 Pigment ramp(Wave wave) {
   Pigment pigment;
-  pigment.pattern = make_gradient({1.0, 0.0, 0.0});
-  pigment.wave = wave;
+  pigment.pattern = patterned(PatternKind::gradient, GradientParameters{{1.0, 0.0, 0.0}});
+  pigment.pattern.wave = wave;
   pigment.map = {{0.0, grey_of(0.0f)}, {1.0, grey_of(1.0f)}};
   return pigment;
 }
@@ -124,8 +124,7 @@ TEST(Pigment, FilterAndTransmitAreBlendedToo) {
 
 TEST(Pigment, StepsDoNotBlend) {
   Pigment pigment;
-  pigment.pattern = make_checker();
-  pigment.stepped = true;
+  pigment.pattern = patterned(PatternKind::checker);
   pigment.map = {{0.0, grey_of(0.25f)}, {1.0, grey_of(0.75f)}};
   EXPECT_EQ(level_at(pigment, 0.5), 0.25);
   EXPECT_EQ(level_at(pigment, 1.5), 0.75);
@@ -133,14 +132,14 @@ TEST(Pigment, StepsDoNotBlend) {
 
 TEST(Pigment, IsPlacedByItsTransform) {
   Pigment pigment = ramp({});
-  pigment.placement = Transform::scaling({2.0, 1.0, 1.0}).then(Transform::translation({10.0, 0.0, 0.0}));
+  pigment.pattern.warps.transform(Transform::scaling({2.0, 1.0, 1.0}));
+  pigment.pattern.warps.transform(Transform::translation({10.0, 0.0, 0.0}));
   EXPECT_NEAR(level_at(pigment, 11.0), 0.5, 1e-6);
 }
 
 TEST(Pigment, AnswersForPointsThatAreNoNumbers) {
   Pigment pigment;
-  pigment.pattern = make_checker();
-  pigment.stepped = true;
+  pigment.pattern = patterned(PatternKind::checker);
   pigment.map = {{0.0, grey_of(0.25f)}, {1.0, grey_of(0.75f)}};
   for (const double x : {HUGE_VAL, -HUGE_VAL, std::numeric_limits<double>::quiet_NaN()}) {
     const double level = level_at(pigment, x);

@@ -2,7 +2,7 @@
 
 #include "render/scene/scene_builder.h"
 #include "render/shape/primitives.h"
-#include "render/texture/patterns.h"
+#include "render/texture/patterning.h"
 #include "render/trace/primary.h"
 
 #include <random>
@@ -62,12 +62,12 @@ Pigment Maker::pigment() {
   const bool clear = chance(0.6);
   result.color = filtered(clear);
   if (chance(0.4)) return result;
-  result.stepped = chance(0.3);
-  result.pattern = result.stepped ? make_checker() : make_gradient(point(1.0));
+  result.pattern =
+      chance(0.3) ? patterned(PatternKind::checker) : patterned(PatternKind::gradient, GradientParameters{point(1.0)});
   const int entries = 2 + choice(3);
   for (int i = 0; i < entries; ++i) result.map.push_back({i / 3.0, filtered(clear && chance(0.8))});
-  result.wave.form = chance(0.5) ? WaveForm::ramp : WaveForm::sine;
-  result.placement = Transform::scaling(Vec3(between(0.2, 1.0)));
+  result.pattern.wave.form = chance(0.5) ? WaveForm::ramp : WaveForm::sine;
+  result.pattern.warps.transform(Transform::scaling(Vec3(between(0.2, 1.0))));
   return result;
 }
 
