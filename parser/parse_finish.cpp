@@ -1,3 +1,4 @@
+#include "parser/old_texture.h"
 #include "parser/parse_common.h"
 #include "parser/parse_surface.h"
 
@@ -205,6 +206,13 @@ void apply_albedo(Draft& draft) {
 }
 
 }  // namespace
+
+bool accept_bare_finish(Reader& reader, Finish& finish) {
+  Draft draft{finish};
+  if (!accept_item(reader, draft)) return false;
+  finish = draft.finish;
+  return true;
+}
 
 Finish parse_finish(Reader& reader, const Token& word, Finish start) {
   reader.open_block(word);

@@ -82,8 +82,11 @@ void parse_samples(Reader& reader, Media& media) {
 void parse_scattering(Reader& reader, const Token& word, Media& media) {
   reader.open_block(word);
   const Token at = reader.peek();
-  const int type = integer(reader, "type of 'scattering'");
-  if (type < 1 || type > 5) reader.fail(at, "the type of 'scattering' must be from 1 to 5");
+  int type = integer(reader, "type of 'scattering'");
+  if (type < 1 || type > 5) {
+    reader.warn(at, "the type of 'scattering' must be from 1 to 5; 1 is taken");
+    type = 1;
+  }
   media.scattering_type = static_cast<Media::Scattering>(type);
   reader.skip_comma();
   media.scattering = color_or_black(reader).rgb;

@@ -1,4 +1,5 @@
 #include "parser/blend_map.h"
+#include "parser/old_texture.h"
 #include "parser/parse_common.h"
 #include "parser/parse_image.h"
 #include "parser/parse_surface.h"
@@ -85,7 +86,46 @@ bool NormalOwner::accept_word(Reader& reader, SceneContext& context) {
   return true;
 }
 
+PatternKind old_kind(Keyword word) {
+  switch (word) {
+    case Keyword::bumps:
+      return PatternKind::bumps;
+    case Keyword::bump_map:
+      return PatternKind::bump_map;
+    case Keyword::dents:
+      return PatternKind::dents;
+    case Keyword::ripples:
+      return PatternKind::ripples;
+    case Keyword::waves:
+      return PatternKind::waves;
+    case Keyword::wrinkles:
+      return PatternKind::wrinkles;
+    default:
+      return PatternKind::none;
+  }
+}
+
 }  // namespace
+
+bool accept_bare_normal(Reader& reader, SceneContext& context, Normal& normal) {
+  const Token word = reader.peek();
+  if (reader.accept(Keyword::frequency)) {
+    normal.pattern.wave.frequency = finite_number(reader, "frequency");
+    return true;
+  }
+  if (reader.accept(Keyword::phase)) {
+    normal.pattern.wave.phase = finite_number(reader, "phase");
+    return true;
+  }
+  const PatternKind kind = word.kind == TokenKind::keyword ? old_kind(word.keyword) : PatternKind::none;
+  if (kind == PatternKind::none) return false;
+  NormalOwner owner(normal);
+  reader.take();
+  parse_pattern_type(reader, context, owner, word, kind);
+  if (kind != PatternKind::bump_map) normal.amount = finite_number(reader, "amount of " + quoted(word));
+  normal.pattern.unrendered.add(feature_use(Feature::normal, word));
+  return true;
+}
 
 std::shared_ptr<const render::SlopeMap> parse_slope_map(Reader& reader, const Token& word) {
   return parse_blend_map<render::SlopePoint>(reader, word, Feature::slope_map, false, [&] {

@@ -1,7 +1,9 @@
 #include "parser/blend_map.h"
+#include "parser/old_texture.h"
 #include "parser/parse_common.h"
 #include "parser/parse_image.h"
 #include "parser/parse_surface.h"
+#include "parser/parse_warp.h"
 #include "parser/pattern_owner.h"
 #include "render/texture/default_map.h"
 
@@ -90,7 +92,50 @@ bool PigmentOwner::accept_word(Reader& reader, SceneContext& context) {
   return true;
 }
 
+/// The patterns that version 1 had.
+bool is_old_pattern(Keyword word) {
+  switch (word) {
+    case Keyword::agate:
+    case Keyword::bozo:
+    case Keyword::checker:
+    case Keyword::gradient:
+    case Keyword::granite:
+    case Keyword::hexagon:
+    case Keyword::image_map:
+    case Keyword::leopard:
+    case Keyword::mandel:
+    case Keyword::marble:
+    case Keyword::onion:
+    case Keyword::spotted:
+    case Keyword::square:
+    case Keyword::triangular:
+    case Keyword::wood:
+      return true;
+    default:
+      return false;
+  }
+}
+
 }  // namespace
+
+bool accept_bare_pigment(Reader& reader, SceneContext& context, Pigment& pigment) {
+  PigmentOwner owner(pigment);
+  const Token word = reader.peek();
+  if (at_color(reader)) {
+    pigment.pattern.kind = PatternKind::plain;
+    owner.parse_color(reader);
+  } else if (word.kind == TokenKind::keyword && is_old_pattern(word.keyword)) {
+    const render::WaveForm form = pigment.pattern.wave.form;  // no pattern had a wave of its own
+    reader.take();
+    parse_pattern_type(reader, context, owner, word, pattern_kind(reader, PatternPlace::pigment, word));
+    pigment.pattern.wave.form = form;
+  } else if (word.is(Keyword::warp) ||
+             (!accept_warp(reader, pigment.pattern.warps) && !owner.accept_word(reader, context))) {
+    return false;
+  }
+  pigment.pattern.field = render::make_pattern(pigment.pattern.kind, pigment.pattern.parameters);
+  return true;
+}
 
 std::shared_ptr<const render::PigmentMap> parse_pigment_map(Reader& reader, SceneContext& context, const Token& word,
                                                             bool average) {

@@ -1,3 +1,4 @@
+#include "parser/old_texture.h"
 #include "parser/parse_common.h"
 #include "parser/parse_surface.h"
 #include "parser/parse_transform.h"
@@ -80,6 +81,16 @@ void set_no_bump_scale(Draft& draft) {
   top.patterned = std::move(pattern);
 }
 
+/// What textures had in version 1, beside blocks.
+bool accept_old(Reader& reader, SceneContext& context, Draft& draft) {
+  if (const auto declared = reader.accept_declared<Texture>()) {
+    reader.warn(reader.peek(), "this texture replaces what stands before it");
+    draft = Draft(declared);
+    return true;
+  }
+  return !draft.top().patterned && accept_old_words(reader, context, draft.change_top());
+}
+
 /// Transformations, which apply to all layers. True: there were some.
 bool parse_placement(Reader& reader, Draft& draft) {
   bool any = false;
@@ -156,7 +167,11 @@ TexturePtr parse_texture_contents(Reader& reader, SceneContext& context) {
   }
   bool changed = declared != nullptr;
   while (accept_declared_part(reader, draft)) changed = true;
-  while (accept_part(reader, context, draft) || parse_placement(reader, draft)) changed = true;
+  const bool is_old = language_version(reader) < 300;
+  while (accept_part(reader, context, draft) || parse_placement(reader, draft) ||
+         (is_old && accept_old(reader, context, draft))) {
+    changed = true;
+  }
   if (changed) return draft.finished();
   const TexturePtr patterned = parse_texture_pattern(reader, context);
   if (!patterned) return draft.finished();

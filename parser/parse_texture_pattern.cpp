@@ -126,6 +126,7 @@ TexturePtr parse_texture_pattern(Reader& reader, SceneContext& context) {
   TextureOwner owner(pattern);
   parse_pattern(reader, context, owner);
   if (pattern.pattern.kind == PatternKind::none && !pattern.textures) return nullptr;
+  if (pattern.pattern.kind == PatternKind::none) reader.fail(word, "'texture_map' needs a pattern before it");
   if (!pattern.textures) reader.fail(word, "a texture with a pattern needs a 'texture_map'");
   return texture_of(std::move(pattern));
 }

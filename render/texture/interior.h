@@ -19,7 +19,7 @@ struct Interior {
   int dispersion_samples = 7;
   std::vector<Media> media;
   double refraction_scale =
-      1.0;                 ///< the old `refraction` factor on light that passes; 1 unless a legacy finish sets it
+      1.0;                      ///< the old `refraction` factor on light that passes; 1 unless a legacy finish sets it
   FeatureUses unrendered = {};  ///< of caustics and dispersion
 };
 

@@ -1,5 +1,6 @@
 // Patterns that grow in step with a coordinate.
 
+#include "render/texture/field.h"
 #include "render/texture/patterns.h"
 
 #include <cmath>
@@ -24,9 +25,13 @@ class Gradient final : public Pattern {
 
 }  // namespace
 
-std::shared_ptr<const Pattern> make_gradient(const Vec3& axis) {
+PatternPtr make_gradient(const Vec3& axis) {
   const double length = axis.length();
   return std::make_shared<Gradient>(length > 0.0 ? axis / length : axis);
+}
+
+PatternPtr make_marble() {
+  return make_field([](const Vec3& point) { return point.x; });
 }
 
 }  // namespace firstlight::render

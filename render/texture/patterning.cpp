@@ -23,10 +23,48 @@ double stored(double number) { return static_cast<float>(number); }
 
 std::shared_ptr<const Pattern> make_pattern(PatternKind kind, const PatternParameters& parameters) {
   switch (kind) {
+    case PatternKind::boxed:
+      return make_boxed();
+    case PatternKind::brick:
+      return make_brick(std::get<BrickParameters>(parameters));
     case PatternKind::checker:
       return make_checker();
+    case PatternKind::cubic:
+      return make_cubic();
+    case PatternKind::cylindrical:
+      return make_cylindrical();
     case PatternKind::gradient:
       return make_gradient(std::get<GradientParameters>(parameters).axis);
+    case PatternKind::hexagon:
+      return make_hexagon();
+    case PatternKind::julia:
+    case PatternKind::magnet:
+    case PatternKind::mandel:
+      return make_fractal(std::get<FractalParameters>(parameters));
+    case PatternKind::leopard:
+      return make_leopard();
+    case PatternKind::marble:
+      return make_marble();
+    case PatternKind::onion:
+      return make_onion();
+    case PatternKind::planar:
+      return make_planar();
+    case PatternKind::quilted:
+      return make_quilted(std::get<QuiltedParameters>(parameters));
+    case PatternKind::radial:
+      return make_radial();
+    case PatternKind::spherical:
+      return make_spherical();
+    case PatternKind::spiral1:
+      return make_spiral1(std::get<SpiralParameters>(parameters));
+    case PatternKind::spiral2:
+      return make_spiral2(std::get<SpiralParameters>(parameters));
+    case PatternKind::square:
+      return make_square();
+    case PatternKind::triangular:
+      return make_triangular();
+    case PatternKind::wood:
+      return make_wood();
     default:
       return nullptr;
   }

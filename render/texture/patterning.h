@@ -33,7 +33,7 @@ struct Patterning {
   int noise_generator = 0;       ///< 1 to 3; 0: the scene's
   bool keeps_bump_size = false;  ///< no_bump_scale; of normals
   std::uint32_t depth = 0;       ///< levels of descriptions below, in maps and parameters
-  FeatureUses unrendered = {};        ///< of kind and parameters
+  FeatureUses unrendered = {};   ///< of kind and parameters
 };
 
 /// The pattern alone, at its defaults otherwise.
@@ -61,9 +61,9 @@ struct MapEntry {
 template <class T>
 struct BlendMap {
   std::vector<MapEntry<T>> entries;
-  std::uint32_t depth = 0;   ///< levels of descriptions below its entries
-  bool translucent = false;  ///< an entry lets light through; of pigments and textures
-  FeatureUses unrendered = {};    ///< of the map and all that is in it
+  std::uint32_t depth = 0;      ///< levels of descriptions below its entries
+  bool translucent = false;     ///< an entry lets light through; of pigments and textures
+  FeatureUses unrendered = {};  ///< of the map and all that is in it
 };
 
 }  // namespace firstlight::render

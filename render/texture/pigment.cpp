@@ -49,13 +49,7 @@ const ColorMap& map_of(const Pigment& pigment) {
 
 FilteredColor color_at(const Pigment& pigment, const Vec3& point) {
   if (!pigment.pattern.field) return pigment.color;
-  const ColorMap& map = map_of(pigment);
-  const double value = value_at(pigment.pattern, point);
-  if (is_list(pigment.pattern.kind)) {
-    const double last = static_cast<double>(map.size() - 1);
-    return map[static_cast<std::size_t>(std::clamp(value, 0.0, last))].color;
-  }
-  return look_up(map, shaped(pigment.pattern.wave, value));
+  return look_up(map_of(pigment), shaped(pigment.pattern.wave, value_at(pigment.pattern, point)));
 }
 
 bool lets_light_through(const Pigment& pigment) {

@@ -60,7 +60,9 @@ struct PigmentLimits {
     } else {
       const ColorMap& map = map_of(pigment);
       for (const ColorMapEntry& entry : map) include(entry.color, entry.color, 0.0);
-      for (std::size_t i = 1; !is_list(pigment.pattern.kind) && i < map.size(); ++i) {
+      const Wave& wave = pigment.pattern.wave;  // a list's places are whole numbers, unless a wave moves them
+      const bool blends = !is_list(pigment.pattern.kind) || wave.frequency != 0.0 || wave.form != WaveForm::ramp;
+      for (std::size_t i = 1; blends && i < map.size(); ++i) {
         include(map[i - 1].color, map[i].color, kBlendError);
       }
     }

@@ -52,8 +52,8 @@ TEST(ParsePattern, WhatIsNotRenderedIsToldAtItsPlaceWhenUsed) {
   EXPECT_EQ(unrendered("sphere { 0, 1 pigment { gradient x turbulence 0.5 } }"), "turbulence ");
   EXPECT_EQ(unrendered("sphere { 0, 1 pigment { gradient x turbulence 0 octaves 3 } }"), "");
   EXPECT_EQ(unrendered("sphere { 0, 1 pigment { rgb 1 turbulence 1 } }"), "");
-  EXPECT_EQ(errors(load("sphere { 0, 1 pigment { marble } }")),
-            "'marble' cannot be rendered by this version of Firstlight\n");
+  EXPECT_EQ(errors(load("sphere { 0, 1 pigment { granite } }")),
+            "'granite' cannot be rendered by this version of Firstlight\n");
 }
 
 TEST(ParsePattern, EveryPatternTellsWhetherItIsRendered) {

@@ -80,6 +80,7 @@ TEST(ParseTexturePattern, StandsAlone) {
   EXPECT_TRUE(says(error("texture { pigment { rgb 1 } } " + mixed), "made of textures cannot lie over another"));
   EXPECT_TRUE(says(error(mixed + " pigment { rgb 1 }"), "cannot alter a texture that is made of textures"));
   EXPECT_TRUE(says(error("texture { bozo }"), "needs a 'texture_map'"));
+  EXPECT_TRUE(says(error("texture { texture_map { [0 pigment { rgb 1 }] } }"), "needs a pattern before it"));
   EXPECT_TRUE(says(errors(load_described("#default { " + mixed + " }")), "default texture cannot be made of textures"));
   EXPECT_TRUE(says(error("texture { tiles { texture { } } }"), "expected 'tile2'"));
 }
@@ -209,9 +210,38 @@ TEST(ParseMedia, MistakesAreNamed) {
   EXPECT_TRUE(says(error("confidence 1"), "below 1"));
   EXPECT_TRUE(says(error("aa_threshold 0"), "above 0"));
   EXPECT_TRUE(says(error("aa_level 0"), "at least 1"));
-  EXPECT_TRUE(says(error("scattering { 6, rgb 1 }"), "from 1 to 5"));
+  EXPECT_TRUE(
+      says(warnings(load_described("sphere { 0, 1 interior { media { scattering { 6, rgb 1 } } } }")), "from 1 to 5"));
   EXPECT_TRUE(says(error("scattering { 1, rgb 1 eccentricity 1 }"), "scattering of type 5 only"));
   EXPECT_TRUE(says(error("density { pigment_map { [0 rgb 1] } }"), "expected '}'"));
+}
+
+TEST(ParseOldTexture, HasItsWordsOutsideOfBlocks) {
+  const auto old_texture = [](std::string words) {
+    return load_described("#version 1.0; sphere { 0, 1 texture { " + words + " } }");
+  };
+  const auto result = old_texture(
+      "agate turbulence 0.5 octaves 3 color_map { [0 1 color red 1 color green 1] } bumps 0.3 frequency 2 phase 0.5 "
+      "ambient 0.2 phong 1 phong_size 20 metallic scale 2");
+  EXPECT_EQ(errors(result), "");
+  ASSERT_TRUE(result.scene);
+  const render::TextureLayer& layer = layer_of(*result.scene);
+  EXPECT_EQ(layer.pigment.pattern.kind, PatternKind::agate);
+  EXPECT_EQ(layer.pigment.pattern.warps.turbulence->octaves, 3);
+  EXPECT_EQ(layer.pigment.map.size(), 2u);
+  EXPECT_EQ(layer.pigment.pattern.warps.steps.size(), 1u);
+  ASSERT_TRUE(layer.normal);
+  EXPECT_EQ(layer.normal->amount, 0.3);
+  EXPECT_EQ(layer.normal->pattern.wave.frequency, 2.0);
+  EXPECT_EQ(layer.finish.ambient, Rgb(0.2f));
+  EXPECT_EQ(layer.finish.phong_size, 20.0);
+  EXPECT_EQ(layer.finish.metallic, 1.0);
+  const auto plain = old_texture("0.05 color red 1 wood");
+  ASSERT_TRUE(plain.scene);
+  EXPECT_EQ(layer_of(*plain.scene).finish.crand, 0.05);
+  EXPECT_EQ(layer_of(*plain.scene).pigment.pattern.wave.form, render::WaveForm::ramp);
+  EXPECT_TRUE(says(warnings(plain), "taken as 'crand'"));
+  EXPECT_NE(errors(load_described("#version 3.0; sphere { 0, 1 texture { bumps 0.3 color red 1 } }")), "");
 }
 
 }  // namespace
