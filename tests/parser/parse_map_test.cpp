@@ -1,4 +1,4 @@
-#include "tests/parser/described.h"
+#include "tests/parser/surface_text.h"
 
 #include <fstream>
 
@@ -38,7 +38,7 @@ TEST(ParseMap, PigmentMapsHoldPigments) {
 }
 
 TEST(ParseMap, DeclaredMapsCanBeUsed) {
-  const auto scene = described(
+  const auto scene = described_scene(
       "#declare M = pigment_map { [0 rgb x] [1 rgb y] } #declare N = normal_map { [0 bumps] [1 dents 2] }"
       "#declare S = slope_map { [0 <0, 1>] [1 <1, 0>] } #declare T = texture_map { [0 pigment { rgb z }] [1 finish { "
       "phong 1 }] }"

@@ -1,5 +1,5 @@
 #include "render/scene/object.h"
-#include "tests/parser/described.h"
+#include "tests/parser/surface_text.h"
 
 namespace firstlight::parser {
 namespace {
@@ -84,7 +84,7 @@ TEST(ParsePattern, BrickKeepsItsSizeWhenNamedAgain) {
   EXPECT_EQ(parameters<render::BrickParameters>(pigment.pattern).size, Vec3(1, 2, 3));
   EXPECT_EQ(parameters<render::BrickParameters>(pigment.pattern).mortar, 0.25);
   EXPECT_EQ(pigment.map.at(1).color.rgb, render::Rgb(1, 0, 0));
-  const auto scene = described(
+  const auto scene = described_scene(
       "#declare P = pigment { brick brick_size 2 } sphere { 0, 1 pigment { P brick rgb 1 } } sphere { 0, 1 pigment { "
       "brick } }");
   EXPECT_EQ(parameters<render::BrickParameters>(layer_of(*scene, 0).pigment.pattern).size, Vec3(2, 2, 2));
