@@ -2,6 +2,7 @@
 
 #include "parser/interpreter.h"
 #include "parser/parse_common.h"
+#include "parser/parse_function.h"
 #include "parser/string_expression.h"
 
 #include <memory>
@@ -54,12 +55,12 @@ void parse_gamma(Reader& reader, ImageSource& source) {
   if (source.gamma_exponent < 1.0) reader.warn(at, "'gamma' is below 1; its reciprocal may be meant");
 }
 
-void parse_function_image(Reader& reader, const Token& word, ImageSource& source) {
+void parse_function_image(Reader& reader, SceneContext& context, const Token& word, ImageSource& source) {
   constexpr int kMostPixels = 65535;
   source.columns = static_cast<std::uint32_t>(integer(reader, "width of the picture", 1, kMostPixels));
   reader.skip_comma();
   source.rows = static_cast<std::uint32_t>(integer(reader, "height of the picture", 1, kMostPixels));
-  skip_block(reader, word);
+  source.function = parse_function(reader, context, word);
 }
 
 ImageUse::Projection parse_map_type(Reader& reader) {
@@ -163,7 +164,7 @@ std::string parse_file_name(Reader& reader, const std::vector<std::string>& exte
   return reader.interpreter().find_file(reader.string(), extensions, at.location);
 }
 
-ImageSource parse_image_source(Reader& reader, bool has_gamma) {
+ImageSource parse_image_source(Reader& reader, SceneContext& context, bool has_gamma) {
   ImageSource source;
   if (reader.next_is(Punctuation::less) || reader.at_expression()) {
     reader.warn(reader.peek(), "a vector before the format of a picture is ignored");
@@ -171,7 +172,7 @@ ImageSource parse_image_source(Reader& reader, bool has_gamma) {
   }
   const Token word = reader.peek();
   if (reader.accept(Keyword::function)) {
-    parse_function_image(reader, word, source);
+    parse_function_image(reader, context, word, source);
     return source;
   }
   std::vector<std::string> extensions;
@@ -192,20 +193,20 @@ ImageSource parse_image_source(Reader& reader, bool has_gamma) {
   return source;
 }
 
-ImageParameters parse_image_map(Reader& reader, const Token& word) {
+ImageParameters parse_image_map(Reader& reader, SceneContext& context, const Token& word) {
   reader.open_block(word);
   ImageUse image;
-  image.source = parse_image_source(reader, true);
+  image.source = parse_image_source(reader, context, true);
   while (accept_placement(reader, image, true) || accept_part(reader, image) || accept_palette(reader, image)) {
   }
   reader.close_block();
   return shared(std::move(image));
 }
 
-ImageParameters parse_image_pattern(Reader& reader, const Token& word) {
+ImageParameters parse_image_pattern(Reader& reader, SceneContext& context, const Token& word) {
   reader.open_block(word);
   ImageUse image;
-  image.source = parse_image_source(reader, false);
+  image.source = parse_image_source(reader, context, false);
   for (;;) {
     if (reader.accept(Keyword::use_alpha)) {
       image.part = ImageUse::Part::alpha;
@@ -217,10 +218,10 @@ ImageParameters parse_image_pattern(Reader& reader, const Token& word) {
   return shared(std::move(image));
 }
 
-ImageParameters parse_bump_map(Reader& reader, const Token& word, double& amount) {
+ImageParameters parse_bump_map(Reader& reader, SceneContext& context, const Token& word, double& amount) {
   reader.open_block(word);
   ImageUse image;
-  image.source = parse_image_source(reader, false);
+  image.source = parse_image_source(reader, context, false);
   for (;;) {
     if (reader.accept(Keyword::bump_size)) {
       amount = finite_number(reader, "bump_size");
@@ -232,10 +233,10 @@ ImageParameters parse_bump_map(Reader& reader, const Token& word, double& amount
   return shared(std::move(image));
 }
 
-ImageParameters parse_material_image(Reader& reader) {
+ImageParameters parse_material_image(Reader& reader, SceneContext& context) {
   ImageUse image;
   image.part = ImageUse::Part::index;
-  image.source = parse_image_source(reader, false);
+  image.source = parse_image_source(reader, context, false);
   while (accept_placement(reader, image, false)) {
   }
   return shared(std::move(image));

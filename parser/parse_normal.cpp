@@ -23,8 +23,8 @@ class NormalOwner final : public PatternOwner {
   void parse_color(Reader&) override {}
   void parse_list(Reader& reader, SceneContext& context, std::size_t count) override;
   void parse_item(Reader& reader, SceneContext& context) override;
-  void parse_image(Reader& reader, const Token& word) override {
-    normal_.pattern.parameters = parse_bump_map(reader, word, normal_.amount);
+  void parse_image(Reader& reader, SceneContext& context, const Token& word) override {
+    normal_.pattern.parameters = parse_bump_map(reader, context, word, normal_.amount);
   }
   void parse_amount(Reader& reader) override {
     reader.skip_comma();

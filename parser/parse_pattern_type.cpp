@@ -1,6 +1,7 @@
 #include "parser/blend_map.h"
 #include "parser/interpreter.h"
 #include "parser/parse_common.h"
+#include "parser/parse_function.h"
 #include "parser/parse_image.h"
 #include "parser/parse_object.h"
 #include "parser/parse_surface.h"
@@ -144,13 +145,13 @@ void parse_arguments(Reader& reader, SceneContext& context, PatternOwner& owner,
       pattern.parameters = render::FacetsParameters();
       return;
     case PatternKind::function:
-      pattern.parameters = std::monostate();
-      return skip_block(reader, word);
+      pattern.parameters = render::FunctionParameters{parse_function_block(reader, word)};
+      return;
     case PatternKind::gradient:
       pattern.parameters = render::GradientParameters{finite_vector(reader, "axis of 'gradient'")};
       return;
     case PatternKind::image_pattern:
-      pattern.parameters = parse_image_pattern(reader, word);
+      pattern.parameters = parse_image_pattern(reader, context, word);
       return;
     case PatternKind::julia:
       pattern.parameters = parse_julia(reader);
@@ -256,7 +257,7 @@ void parse_pattern_type(Reader& reader, SceneContext& context, PatternOwner& own
   parse_arguments(reader, context, owner, word, same_kind);
   // The object pattern has its list in its block; images are read by their owner.
   if (kind != PatternKind::object && render::is_list(kind)) owner.parse_list(reader, context, render::list_size(kind));
-  if (render::is_image(kind)) owner.parse_image(reader, word);
+  if (render::is_image(kind)) owner.parse_image(reader, context, word);
 }
 
 }  // namespace firstlight::parser

@@ -25,8 +25,8 @@ class PigmentOwner final : public PatternOwner {
   void parse_color(Reader& reader) override { pigment_.color = reader.color(); }
   void parse_list(Reader& reader, SceneContext& context, std::size_t count) override;
   void parse_item(Reader& reader, SceneContext& context) override;
-  void parse_image(Reader& reader, const Token& word) override {
-    pigment_.pattern.parameters = parse_image_map(reader, word);
+  void parse_image(Reader& reader, SceneContext& context, const Token& word) override {
+    pigment_.pattern.parameters = parse_image_map(reader, context, word);
   }
   bool accept_word(Reader& reader, SceneContext& context) override;
   bool has_map() const override { return pigment_.pigments || !pigment_.map.empty(); }

@@ -96,7 +96,7 @@ TexturePtr parse_material_map(Reader& reader, SceneContext& context, const Token
   TexturePattern pattern;
   start_pattern(pattern, PatternKind::material_map, word);
   reader.open_block(word);
-  pattern.pattern.parameters = parse_material_image(reader);
+  pattern.pattern.parameters = parse_material_image(reader, context);
   if (!reader.next_is(Keyword::texture)) reader.fail_expected("'texture'");
   auto map = std::make_shared<TextureMap>();
   while (reader.next_is(Keyword::texture)) {

@@ -29,7 +29,7 @@ class PatternOwner {
   /// What stands behind `uv_mapping`: the contents of one more block of this kind.
   virtual void parse_item(Reader& reader, SceneContext& context) = 0;
   /// The block behind image_map or bump_map.
-  virtual void parse_image(Reader&, const Token&) {}
+  virtual void parse_image(Reader&, SceneContext&, const Token&) {}
   /// What may stand between the pattern and its modifiers.
   virtual void parse_amount(Reader&) {}
   /// Takes a map or another word of this kind alone. False: the next token is none.

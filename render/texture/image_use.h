@@ -1,5 +1,6 @@
 #pragma once
 
+#include "render/function/function.h"
 #include "render/math/vec.h"
 
 #include <cstdint>
@@ -22,6 +23,7 @@ struct ImageSource {
   Gamma gamma = Gamma::of_file;
   double gamma_exponent = 1.0;        ///< of Gamma::power: light = number ^ exponent
   std::optional<bool> premultiplied;  ///< colours are multiplied by alpha; not set: as the format has it
+  FunctionPtr function;               ///< of x and y, instead of a file
   std::uint32_t columns = 0;          ///< of a picture made by a function; else 0
   std::uint32_t rows = 0;
 };

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "render/function/function.h"
 #include "render/math/vec.h"
 #include "render/texture/image_use.h"
 
@@ -54,6 +55,10 @@ struct FractalParameters {
   double interior_factor = 1.0;
 };
 
+struct FunctionParameters {
+  FunctionPtr function;  ///< of x, y and z
+};
+
 struct GradientParameters {
   Vec3 axis{0.0, 0.0, 0.0};
 };
@@ -102,9 +107,10 @@ struct TilingParameters {
   int type = 1;  ///< 1 to 27
 };
 
-using PatternParameters = std::variant<std::monostate, AgateParameters, BrickParameters, CrackleParameters,
-                                       DensityFileParameters, FacetsParameters, FractalParameters, GradientParameters,
-                                       ImageParameters, ObjectParameters, PavementParameters, PigmentParameters,
-                                       QuiltedParameters, SlopeParameters, SpiralParameters, TilingParameters>;
+using PatternParameters =
+    std::variant<std::monostate, AgateParameters, BrickParameters, CrackleParameters, DensityFileParameters,
+                 FacetsParameters, FractalParameters, FunctionParameters, GradientParameters, ImageParameters,
+                 ObjectParameters, PavementParameters, PigmentParameters, QuiltedParameters, SlopeParameters,
+                 SpiralParameters, TilingParameters>;
 
 }  // namespace firstlight::render

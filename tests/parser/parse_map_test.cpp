@@ -38,7 +38,7 @@ TEST(ParseMap, PigmentMapsHoldPigments) {
 }
 
 TEST(ParseMap, DeclaredMapsCanBeUsed) {
-  const auto scene = described_scene(
+  const auto scene = surface_scene(
       "#declare M = pigment_map { [0 rgb x] [1 rgb y] } #declare N = normal_map { [0 bumps] [1 dents 2] }"
       "#declare S = slope_map { [0 <0, 1>] [1 <1, 0>] } #declare T = texture_map { [0 pigment { rgb z }] [1 finish { "
       "phong 1 }] }"
@@ -177,6 +177,7 @@ TEST(ParseImage, PicturesMayBeFunctions) {
   const render::ImageUse& image = *parameters<render::ImageParameters>(pigment.pattern).image;
   EXPECT_EQ(image.source.columns, 20u);
   EXPECT_EQ(image.source.rows, 10u);
+  EXPECT_TRUE(image.source.function);
   EXPECT_EQ(image.projection, render::ImageUse::Projection::torus);
 }
 

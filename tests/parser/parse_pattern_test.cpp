@@ -84,7 +84,7 @@ TEST(ParsePattern, BrickKeepsItsSizeWhenNamedAgain) {
   EXPECT_EQ(parameters<render::BrickParameters>(pigment.pattern).size, Vec3(1, 2, 3));
   EXPECT_EQ(parameters<render::BrickParameters>(pigment.pattern).mortar, 0.25);
   EXPECT_EQ(pigment.map.at(1).color.rgb, render::Rgb(1, 0, 0));
-  const auto scene = described_scene(
+  const auto scene = surface_scene(
       "#declare P = pigment { brick brick_size 2 } sphere { 0, 1 pigment { P brick rgb 1 } } sphere { 0, 1 pigment { "
       "brick } }");
   EXPECT_EQ(parameters<render::BrickParameters>(layer_of(*scene, 0).pigment.pattern).size, Vec3(2, 2, 2));
@@ -253,6 +253,18 @@ TEST(ParsePattern, PigmentPatternHoldsThePigment) {
   ASSERT_TRUE(inner);
   EXPECT_EQ(inner->pattern.kind, PatternKind::granite);
   EXPECT_EQ(unrendered("sphere { 0, 1 pigment { pigment_pattern { granite } } }"), "pigment_pattern granite ");
+}
+
+TEST(ParsePattern, FunctionPatternHoldsTheFunction) {
+  const auto pigment = pigment_of("function { x * 2 + y } color_map { [0 rgb 0] [1 rgb 1] }");
+  const auto& function = parameters<render::FunctionParameters>(pigment.pattern).function;
+  ASSERT_TRUE(function);
+  const double point[3] = {1.5, 0.25, 0.0};
+  double value = 0.0;
+  render::Evaluation evaluation;
+  function->evaluate(point, &value, evaluation);
+  EXPECT_EQ(value, 3.25);
+  EXPECT_NE(pigment_error("function { }"), "");
 }
 
 TEST(ParsePattern, NoiseGeneratorIsFromZeroToThree) {

@@ -37,7 +37,7 @@ TEST(ParseNormal, ListsOfNormalsMayBeLeftOut) {
 }
 
 TEST(ParseNormal, BlocksAlterWhatIsThere) {
-  const auto scene = described_scene(
+  const auto scene = surface_scene(
       "#declare N = normal { bumps 0.3 scale 2 } #default { normal { wrinkles 0.4 } }"
       "sphere { 0, 1 normal { N bump_size 1 } } sphere { 0, 1 texture { N } } sphere { 0, 1 normal { frequency 2 } }"
       "sphere { 0, 1 pigment { rgb 1 } } sphere { 0, 1 texture { normal { N } translate x normal { phase 1 } } }");
@@ -65,7 +65,7 @@ TEST(ParseTexturePattern, TexturesAreMixedByMapsListsAndTiles) {
 }
 
 TEST(ParseTexturePattern, MovesAsAWhole) {
-  const auto scene = described_scene(
+  const auto scene = surface_scene(
       "#declare T = texture { bozo texture_map { [0 pigment { rgb x }] [1 pigment { rgb y }] } }"
       "sphere { 0, 1 texture { T translate x no_bump_scale } translate y }");
   const auto& pattern = layer_of(*scene).patterned->pattern;
@@ -86,7 +86,7 @@ TEST(ParseTexturePattern, StandsAlone) {
 }
 
 TEST(ParseFinish, HoldsWhatIsNotRendered) {
-  const auto scene = described_scene(
+  const auto scene = surface_scene(
       "sphere { 0, 1 finish { crand 0.1 irid { 0.3 thickness 0.5 turbulence 0.2 } subsurface { translucency rgb <1, 2, "
       "3> anisotropy 0.5 } } }");
   const render::Finish& finish = layer_of(*scene).finish;
@@ -109,7 +109,7 @@ TEST(ParseFinish, OldCausticsGoToTheInterior) {
 }
 
 TEST(ParseInterior, HoldsDispersionCausticsAndMedia) {
-  const auto scene = described_scene(
+  const auto scene = surface_scene(
       "sphere { 0, 1 interior { ior 1.5 dispersion 1.02 dispersion_samples 9 caustics 0.7 media { } media { } } }");
   const render::Interior& interior = interior_of(*scene);
   EXPECT_EQ(interior.dispersion, 1.02);
@@ -123,7 +123,7 @@ TEST(ParseInterior, HoldsDispersionCausticsAndMedia) {
 }
 
 Media media_of(std::string_view words) {
-  const auto scene = described_scene("sphere { 0, 1 interior { media { " + std::string(words) + " } } }");
+  const auto scene = surface_scene("sphere { 0, 1 interior { media { " + std::string(words) + " } } }");
   const render::Interior& interior = interior_of(*scene);
   EXPECT_EQ(interior.media.size(), 1u);
   return interior.media.front();
@@ -142,7 +142,7 @@ TEST(ParseMedia, DefaultsAreThoseOfVersion35AndLater) {
   EXPECT_EQ(media.aa_level, 3);
   EXPECT_EQ(media.jitter, 0.0);
   EXPECT_TRUE(media.collects_photons);
-  const auto old = described_scene("#version 3.1; sphere { 0, 1 interior { media { } } }");
+  const auto old = surface_scene("#version 3.1; sphere { 0, 1 interior { media { } } }");
   EXPECT_EQ(interior_of(*old).media.at(0).method, 1);
   EXPECT_EQ(interior_of(*old).media.at(0).intervals, 10);
   EXPECT_EQ(interior_of(*old).media.at(0).least_samples, 1);
@@ -179,7 +179,7 @@ TEST(ParseMedia, DensitiesArePatternsOfTheirOwn) {
   ASSERT_TRUE(media.densities[0].densities);
   EXPECT_EQ(media.densities[0].densities->entries.at(1).value.pattern.kind, PatternKind::bozo);
   EXPECT_EQ(media.densities[1].color.rgb, Rgb(2));
-  const auto scene = described_scene(
+  const auto scene = surface_scene(
       "#declare D = density { cylindrical } #declare E = density_map { [0 rgb 0] [1 rgb 1] } #declare M = media { "
       "emission 2 density { D } }"
       "sphere { 0, 1 interior { media { M density { wood density_map { E } } } } }");
@@ -187,7 +187,7 @@ TEST(ParseMedia, DensitiesArePatternsOfTheirOwn) {
 }
 
 TEST(ParseMedia, MovesWithTheObject) {
-  const auto scene = described_scene(
+  const auto scene = surface_scene(
       "union { sphere { 0, 1 interior { media { density { spherical } translate x } } translate y } sphere { 3, 1 } "
       "translate z }"
       "#declare M = material { texture { pigment { rgbt 1 } } interior { media { density { spherical } } } translate "

@@ -20,7 +20,7 @@ inline render::LoadResult load_described(std::string_view text) {
 }
 
 /// The scene of `text`, which must have neither errors nor warnings.
-inline std::unique_ptr<const render::Scene> described_scene(std::string_view text) {
+inline std::unique_ptr<const render::Scene> surface_scene(std::string_view text) {
   render::LoadResult result = load_described(text);
   EXPECT_EQ(errors(result), "") << text;
   EXPECT_EQ(warnings(result), "") << text;
@@ -46,14 +46,14 @@ inline const render::Interior& interior_of(const render::Scene& scene, std::size
 
 /// The pigment, normal or texture pattern that the words in its braces describe.
 inline render::Pigment pigment_of(std::string_view words) {
-  return layer_of(*described_scene("sphere { 0, 1 pigment { " + std::string(words) + " } }")).pigment;
+  return layer_of(*surface_scene("sphere { 0, 1 pigment { " + std::string(words) + " } }")).pigment;
 }
 inline render::Normal normal_of(std::string_view words) {
-  const auto normal = layer_of(*described_scene("sphere { 0, 1 normal { " + std::string(words) + " } }")).normal;
+  const auto normal = layer_of(*surface_scene("sphere { 0, 1 normal { " + std::string(words) + " } }")).normal;
   return normal ? *normal : render::Normal();
 }
 inline render::TexturePattern texture_pattern_of(std::string_view words) {
-  const auto pattern = layer_of(*described_scene("sphere { 0, 1 texture { " + std::string(words) + " } }")).patterned;
+  const auto pattern = layer_of(*surface_scene("sphere { 0, 1 texture { " + std::string(words) + " } }")).patterned;
   return pattern ? *pattern : render::TexturePattern();
 }
 /// The message about those words in a pigment.
