@@ -102,6 +102,13 @@ const render::ObjectProbe& Interpreter::probe(const ObjectPtr& object) {
   return probes_.back().second;
 }
 
+bool Interpreter::has_guessed() const {
+  const auto& uses = context_.builder.settings().unrendered.list();
+  return std::any_of(uses.begin(), uses.end(), [](const render::FeatureUse& use) {
+    return use.feature == Feature::trace || use.feature == Feature::inside || use.feature == Feature::extent;
+  });
+}
+
 void Interpreter::note_unrendered(Feature feature, const Location& at) {
   context_.builder.settings().unrendered.add({feature, at.file, at.line, at.column});
 }

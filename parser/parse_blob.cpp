@@ -66,9 +66,6 @@ Component parse_cylinder_component(Reader& reader, SceneContext& context, const 
   component.end = finite_vector(reader, "end in 'blob'");
   reader.skip_comma();
   parse_radius_and_strength(reader, component);
-  if ((component.end - component.center).length() < kTinyLength) {
-    reader.fail(word, "'cylinder' in 'blob' has no length: its two ends are the same point");
-  }
   parse_component_end(reader, context, component);
   return component;
 }
@@ -88,7 +85,12 @@ void parse_blob(Reader& reader, SceneContext& context, const Token& word, Object
     } else if (reader.accept(Keyword::sphere)) {
       form.components.push_back(parse_sphere_component(reader, context, next));
     } else if (reader.accept(Keyword::cylinder)) {
-      form.components.push_back(parse_cylinder_component(reader, context, next));
+      const Component cylinder = parse_cylinder_component(reader, context, next);
+      if ((cylinder.end - cylinder.center).length() >= kTinyLength) {
+        form.components.push_back(cylinder);
+      } else {
+        refuse_shape(reader, next, "'cylinder' in 'blob' has no length: its two ends are the same point");
+      }
     } else {
       break;
     }
@@ -96,8 +98,8 @@ void parse_blob(Reader& reader, SceneContext& context, const Token& word, Object
       reader.fail(next, "'blob' has more than " + std::to_string(kMostPoints) + " parts");
     }
   }
-  if (form.components.empty()) reader.fail(word, "'blob' needs at least one 'sphere', 'cylinder' or 'component'");
-  set_form(object, std::move(form));
+  if (!form.components.empty()) return set_form(object, std::move(form));
+  refuse_shape(reader, word, "'blob' needs at least one 'sphere', 'cylinder' or 'component'");
 }
 
 }  // namespace firstlight::parser

@@ -24,7 +24,7 @@ struct Draft {
   std::optional<double> angle;
   std::optional<Vec3> look_at, focal_point;
   bool up_given = false, right_given = false;
-  Token kind_word, look_at_word, aperture_word;
+  Token kind_word, look_at_word, aperture_word, normal_word;
   Transform transform;
   double direction_length = 1.0;  ///< after the last word that sets it
 };
@@ -108,7 +108,8 @@ void parse_bokeh(Reader& reader, SceneContext& context, const Token& word, rende
   reader.open_block(word);
   while (reader.next_is(Keyword::pigment)) {
     const Token pigment = reader.take();
-    blur.bokeh = std::make_shared<const render::Pigment>(parse_pigment(reader, context, pigment, default_layer(context).pigment));
+    blur.bokeh = std::make_shared<const render::Pigment>(
+        parse_pigment(reader, context, pigment, default_layer(context).pigment));
   }
   reader.close_block();
 }
@@ -157,6 +158,15 @@ bool accept_vector(Reader& reader, Draft& draft) {
   return true;
 }
 
+bool accept_normal(Reader& reader, SceneContext& context, Draft& draft) {
+  const Token word = reader.peek();
+  if (!reader.accept(Keyword::normal)) return false;
+  draft.normal_word = word;
+  draft.camera.normal =
+      std::make_shared<const render::Normal>(parse_normal(reader, context, word, draft.camera.normal.get()));
+  return true;
+}
+
 /// The kind of camera. False: the next word names none.
 bool accept_kind(Reader& reader, SceneContext& context, Draft& draft) {
   const Token word = reader.peek();
@@ -183,7 +193,8 @@ void parse_unordered(Reader& reader, SceneContext& context, Draft& draft) {
       draft.transform = draft.transform.then(*transform);
     } else if (names_camera_kind(word)) {
       reader.fail(word, quoted(word) + " must be the first word of a camera");
-    } else if (!accept_vector(reader, draft) && !accept_blur(reader, context, draft)) {
+    } else if (!accept_vector(reader, draft) && !accept_blur(reader, context, draft) &&
+               !accept_normal(reader, context, draft)) {
       break;
     }
   }
@@ -212,7 +223,8 @@ void parse_in_order(Reader& reader, SceneContext& context, Draft& draft) {
       apply_look_at(reader, draft);
     } else if (const auto transform = accept_transformation(reader)) {
       render::place(draft.camera, *transform);
-    } else if (!accept_vector(reader, draft) && !accept_blur(reader, context, draft)) {
+    } else if (!accept_vector(reader, draft) && !accept_blur(reader, context, draft) &&
+               !accept_normal(reader, context, draft)) {
       break;
     }
     if (word.is(Keyword::focal_point)) apply_focal_point(draft);
@@ -239,6 +251,8 @@ void note_features(const Token& word, const Draft& draft, Camera& camera) {
     }
   };
   if (const auto feature = feature_of(camera.kind)) note(*feature, draft.kind_word);
+  if (camera.normal) note(render::Feature::camera_normal, draft.normal_word);
+  if (camera.normal) gather(*camera.normal, camera.unrendered);
   if (camera.blur.shows()) note(render::Feature::focal_blur, draft.aperture_word);
 }
 

@@ -21,9 +21,7 @@ using FormReader = void (*)(Reader& reader, SceneContext& context, const Token& 
 #define PATCH(word, function)
 #define FORM(word, function) \
   void function(Reader& reader, SceneContext& context, const Token& word_token, render::Object& object);
-#define ABSENT_SHAPE(word)
 #include "parser/shapes.def"
-#undef ABSENT_SHAPE
 #undef FORM
 #undef PATCH
 #undef SHAPE

@@ -55,8 +55,13 @@ class Mesh2 {
     }
     if (mesh_.vertices.empty()) reader_.fail(word_, "'mesh2' needs 'vertex_vectors'");
     parse_faces();
-    while (reader_.next_is(Keyword::uv_indices)) parse_uv_indices();
-    while (reader_.next_is(Keyword::normal_indices)) parse_normal_indices();
+    while (reader_.next_is(Keyword::uv_indices) || reader_.next_is(Keyword::normal_indices)) {
+      if (reader_.next_is(Keyword::uv_indices)) {
+        parse_uv_indices();
+      } else {
+        parse_normal_indices();
+      }
+    }
     while (reader_.accept(Keyword::inside_vector)) mesh_.inside_vector = parse_inside_vector(reader_);
     complete_uvs();
     complete_normals();

@@ -91,13 +91,10 @@ std::optional<Object> parse_object(Reader& reader, SceneContext& context) {
 #define FORM(word, function) \
   case Keyword::word:        \
     return parse_described(reader, context, function);
-#define ABSENT_SHAPE(word) case Keyword::word:
 #include "parser/shapes.def"
-#undef ABSENT_SHAPE
 #undef FORM
 #undef PATCH
 #undef SHAPE
-    fail_unsupported(reader, reader.take());
     case Keyword::object:
       return parse_wrapped(reader, context);
     case Keyword::union_:

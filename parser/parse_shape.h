@@ -12,9 +12,7 @@ using ShapeReader = render::ShapePtr (*)(Reader& reader, const Token& word);
 #define SHAPE(word, function) render::ShapePtr function(Reader& reader, const Token& word_token);
 #define PATCH(word, function) render::ShapePtr function(Reader& reader, const Token& word_token);
 #define FORM(word, function)
-#define ABSENT_SHAPE(word)
 #include "parser/shapes.def"
-#undef ABSENT_SHAPE
 #undef FORM
 #undef PATCH
 #undef SHAPE

@@ -1,6 +1,6 @@
-#include "parser/interpreter.h"
 #include "parser/parse_common.h"
 #include "parser/parse_form.h"
+#include "parser/parse_image.h"
 
 namespace firstlight::parser {
 
@@ -10,21 +10,12 @@ namespace {
 
 constexpr int kBuiltinFonts = 4;
 
-/// The file of that name, or with the usual extension.
-std::string parse_font(Reader& reader) {
-  const Token at = reader.peek();
-  std::string name = reader.string();
-  if (reader.interpreter().file_exists(name)) return name;
-  if (reader.interpreter().file_exists(name + ".ttf")) return name + ".ttf";
-  reader.fail(at, "cannot find the font file '" + name + "'");
-}
-
 }  // namespace
 
 void parse_text(Reader& reader, SceneContext&, const Token&, Object& object) {
   render::TextForm form;
   if (reader.accept(Keyword::ttf)) {
-    form.font_file = parse_font(reader);
+    form.font_file = parse_file_name(reader, {".ttf"});
   } else if (reader.accept(Keyword::internal)) {
     form.builtin_font = integer(reader, "number of the font");
     if (form.builtin_font < 0 || form.builtin_font >= kBuiltinFonts) form.builtin_font = 0;

@@ -10,6 +10,7 @@
 
 namespace firstlight::render {
 
+struct Normal;
 struct Object;
 struct Pigment;
 
@@ -67,6 +68,7 @@ struct Camera {
   double horizontal_angle = 360.0;  ///< degrees, of a spherical camera
   double vertical_angle = 180.0;
   FocalBlur blur = {};
+  std::shared_ptr<const Normal> normal = {};  ///< over the picture: it turns the rays; null: none
   MeshCamera mesh = {};
   FeatureUses unrendered = {};
 };

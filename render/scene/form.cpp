@@ -6,6 +6,7 @@ namespace {
 // Overloads rather than a table by index: the variant may get a new alternative anywhere.
 Feature feature(const BicubicPatchForm&) { return Feature::bicubic_patch; }
 Feature feature(const BlobForm&) { return Feature::blob; }
+Feature feature(const HeightFieldForm&) { return Feature::height_field; }
 Feature feature(const IsosurfaceForm&) { return Feature::isosurface; }
 Feature feature(const JuliaFractalForm&) { return Feature::julia_fractal; }
 Feature feature(const LatheForm&) { return Feature::lathe; }

@@ -4,6 +4,7 @@
 #include "render/scene/forms/analytic.h"
 #include "render/scene/forms/blob.h"
 #include "render/scene/forms/field.h"
+#include "render/scene/forms/height_field.h"
 #include "render/scene/forms/mesh.h"
 #include "render/scene/forms/patch.h"
 #include "render/scene/forms/profile.h"
@@ -17,9 +18,9 @@ namespace firstlight::render {
 
 /// A shape as it is described. Immutable once it is part of an Object, and shared by its copies.
 struct Form {
-  std::variant<BicubicPatchForm, BlobForm, IsosurfaceForm, JuliaFractalForm, LatheForm, MeshForm, OvusForm,
-               ParametricForm, PolygonForm, PolynomialForm, PrismForm, QuadricForm, SphereSweepForm, SuperellipsoidForm,
-               SurfaceOfRevolutionForm, TextForm>
+  std::variant<BicubicPatchForm, BlobForm, HeightFieldForm, IsosurfaceForm, JuliaFractalForm, LatheForm, MeshForm,
+               OvusForm, ParametricForm, PolygonForm, PolynomialForm, PrismForm, QuadricForm, SphereSweepForm,
+               SuperellipsoidForm, SurfaceOfRevolutionForm, TextForm>
       shape;
 };
 

@@ -81,6 +81,16 @@ TEST(ParseCameraKind, MeshCameraTakesMeshes) {
   }
 }
 
+TEST(ParseCamera, NormalTurnsItsRays) {
+  const Camera camera = camera_of("location -5*z look_at 0 normal { bumps 0.3 scale 0.1 }");
+  ASSERT_TRUE(camera.normal);
+  EXPECT_EQ(camera.normal->amount, 0.3);
+  EXPECT_NE(spelled(camera.unrendered).find("camera normal"), std::string::npos);
+  EXPECT_FALSE(camera_of("location -5*z").normal);
+  const auto old = described("#version 3.1; sphere { 0, 1 } camera { location -z normal { bumps } }");
+  EXPECT_TRUE(old.scene && old.scene->camera.normal);
+}
+
 TEST(ParseCameraBlur, ItsWordsAreRead) {
   const Camera camera = camera_of(
       "location -5*z look_at 0 aperture 0.4 blur_samples 10, 50 focal_point 2*z confidence 0.95 variance 1/200 "

@@ -74,5 +74,19 @@ TEST(ParseParametric, TakesThreeFunctionsAndARange) {
   EXPECT_EQ(std::get<render::ContainerBox>(form.container).high, Vec3(3, 3, 3));
 }
 
+TEST(ParseHeightField, TakesAPictureAndALevel) {
+  const SceneFile picture("picture");
+  const auto form =
+      form_of<render::HeightFieldForm>("height_field { png \"" + picture.path() + "\" smooth water_level 0.25 }");
+  EXPECT_TRUE(form.smooth);
+  EXPECT_EQ(form.water_level, 0.25);
+  EXPECT_NE(form.image.path.find("firstlight_scene"), std::string::npos);
+  const auto made = form_of<render::HeightFieldForm>("height_field { function 20, 30 { x*y } hierarchy off }");
+  EXPECT_EQ(made.image.columns, 20u);
+  EXPECT_EQ(made.image.rows, 30u);
+  EXPECT_TRUE(made.image.function);
+  EXPECT_NE(parsed_object("height_field { png \"no such picture.png\" }").errors, "");
+}
+
 }  // namespace
 }  // namespace firstlight::parser

@@ -215,7 +215,7 @@ TEST(ParseForm, TextTakesAFontAndALine) {
   EXPECT_EQ(form.thickness, 0.5);
   EXPECT_EQ(form.offset, Vec3(0.1, 0, 0));
   EXPECT_EQ(form_of<render::TextForm>("text { internal 99 \"a\" 1 0 }").builtin_font, 0);
-  EXPECT_NE(parsed_object("text { ttf \"no such font\", \"a\", 1, 0 }").errors.find("cannot find"), std::string::npos);
+  EXPECT_NE(parsed_object("text { ttf \"no such font\", \"a\", 1, 0 }").errors.find("no such font"), std::string::npos);
   EXPECT_NE(parsed_object("text { \"a\", 1, 0 }").errors.find("'ttf' or 'internal'"), std::string::npos);
 }
 
@@ -223,7 +223,8 @@ TEST(ParseForm, FontIsFoundWithoutItsExtension) {
   const std::string name = "firstlight_font_" + std::to_string(getpid());
   const std::filesystem::path path = std::filesystem::temp_directory_path() / (name + ".ttf");
   std::ofstream(path) << "font";
-  EXPECT_EQ(form_of<render::TextForm>("text { ttf \"" + name + "\", \"a\", 1, 0 }").font_file, name + ".ttf");
+  const auto form = form_of<render::TextForm>("text { ttf \"" + name + "\", \"a\", 1, 0 }");
+  EXPECT_EQ(std::filesystem::path(form.font_file).filename(), name + ".ttf");
   std::filesystem::remove(path);
 }
 
@@ -255,6 +256,15 @@ TEST(ParseForm, BlobTakesComponentsWithSurfacesOfTheirOwn) {
 TEST(ParseForm, BlobNeedsAComponentWithLength) {
   EXPECT_NE(parsed_object("blob { threshold 1 }").errors.find("at least one"), std::string::npos);
   EXPECT_NE(parsed_object("blob { cylinder { x, x, 1, 1 } }").errors.find("no length"), std::string::npos);
+}
+
+TEST(ParseForm, DegenerateShapesOfGuessedNumbersAreLeftOut) {
+  const auto result = described(
+      "#declare B = blob { sphere { 0, 2, 1 } } #declare P = trace(B, 5*y, -y); cylinder { P, trace(B, 6*y, -y), 1 } "
+      "blob { #if (inside(B, 0)) sphere { 0, 1, 1 } #end } sphere { 0, 1 }");
+  EXPECT_EQ(errors(result), "");
+  EXPECT_NE(warnings(result).find("'cylinder' has no length"), std::string::npos);
+  EXPECT_NE(warnings(result).find("'blob' needs at least one"), std::string::npos);
 }
 
 TEST(ParseForm, DescribedShapeSaysThatItCannotBeRenderedWhereItIsUsed) {

@@ -95,6 +95,15 @@ TEST(ParseMesh2, IndicesLeftOutAreThoseOfTheCorners) {
   EXPECT_EQ(mesh.face_uvs[0], (Corners{0, 1, 3}));
 }
 
+TEST(ParseMesh2, IndicesComeInEitherOrder) {
+  const auto mesh =
+      form_of<MeshForm>("mesh2 { " + kVertices +
+                        "normal_vectors { 2, x, y } uv_vectors { 2, <0, 0>, <1, 1> } face_indices { 1, <0, 1, 2> } "
+                        "normal_indices { 1, <0, 1, 1> } uv_indices { 1, <1, 0, 1> } }");
+  EXPECT_EQ(mesh.face_normals[0], (Corners{0, 1, 1}));
+  EXPECT_EQ(mesh.face_uvs[0], (Corners{1, 0, 1}));
+}
+
 TEST(ParseMesh2, RefusesIndicesOutOfRange) {
   const std::string start = "mesh2 { " + kVertices;
   for (const char* rest :
