@@ -18,6 +18,10 @@ namespace {
 
 using ObjectPtr = std::shared_ptr<const Object>;
 
+/// Where an object is taken to be that is only described. Pictures of such scenes are refused; an answer that is not
+/// empty lets the scene be read to its end.
+const render::Box3 kMadeUpBox{Vec3(0.0), Vec3(1.0)};
+
 void comma(Interpreter& in) {
   if (in.peek().is(Punctuation::comma)) in.take();
 }
@@ -55,6 +59,7 @@ Vec3 parse_trace(Interpreter& in, const Token& word) {
     hit = probe.trace(origin, direction);
   } else {
     in.note_unrendered(Feature::trace, word.location);
+    hit = render::ObjectProbe::Hit{origin + direction, -direction};
   }
   const Value* normal = in.peek_value();
   if (normal != nullptr && std::holds_alternative<Numbers>(*normal)) {
@@ -75,7 +80,7 @@ bool parse_inside(Interpreter& in, const Token& word) {
   const render::ObjectProbe& probe = in.probe(object);
   if (probe.is_complete()) return probe.inside(point);
   in.note_unrendered(Feature::inside, word.location);
-  return false;
+  return kMadeUpBox.intersects(point);
 }
 
 Vec3 parse_extent(Interpreter& in, const Token& word) {
@@ -83,7 +88,7 @@ Vec3 parse_extent(Interpreter& in, const Token& word) {
   in.expect(Punctuation::right_paren, "to close", word.text);
   if (!render::is_made(*object)) {
     in.note_unrendered(Feature::extent, word.location);
-    return Vec3(word.is(Keyword::min_extent) ? 0.0 : 1.0);
+    return word.is(Keyword::min_extent) ? kMadeUpBox.min : kMadeUpBox.max;
   }
   const render::Box3 box = render::extent(*object);
   return word.is(Keyword::min_extent) ? box.min : box.max;

@@ -4,9 +4,11 @@
 #include "parser/function_compiler.h"
 #include "parser/interpreter.h"
 #include "parser/parse_common.h"
+#include "parser/parse_surface.h"
 #include "parser/parse_transform.h"
 #include "render/function/internal.h"
 #include "render/function/transform_function.h"
+#include "render/texture/texture_function.h"
 
 #include <algorithm>
 #include <array>
@@ -107,7 +109,7 @@ render::FunctionPtr parse_internal(Reader& reader, const Token& word) {
 }
 
 /// What may stand in a function's block instead of an expression. Null: none of it.
-render::FunctionPtr parse_special(Reader& reader) {
+render::FunctionPtr parse_special(Reader& reader, SceneContext& context) {
   const Token word = reader.peek();
   if (word.kind != TokenKind::keyword) return nullptr;
   switch (word.keyword) {
@@ -123,8 +125,11 @@ render::FunctionPtr parse_special(Reader& reader) {
       return render::make_spline_function(spline);
     }
     case Keyword::pattern:
+      reader.take();
+      return render::make_pattern_function(parse_pigment(reader, context, word, render::Pigment()).pattern);
     case Keyword::pigment:
-      reader.fail_unsupported(word);
+      reader.take();
+      return render::make_pigment_function(parse_pigment(reader, context, word, render::Pigment()));
     default:
       return nullptr;
   }
@@ -132,12 +137,12 @@ render::FunctionPtr parse_special(Reader& reader) {
 
 }  // namespace
 
-render::FunctionPtr parse_function(Reader& reader, SceneContext&, const Token& word) {
+render::FunctionPtr parse_function(Reader& reader, SceneContext& context, const Token& word) {
   const bool has_list = reader.next_is(Punctuation::left_paren);
   const std::vector<std::string_view> parameters = parse_parameters(reader);
   reader.open_block(word);
   const Token first = reader.peek();
-  render::FunctionPtr function = parse_special(reader);
+  render::FunctionPtr function = parse_special(reader, context);
   if (!function) {
     function = parse_expression(reader, word, parameters);
   } else if (has_list && !first.is(Keyword::internal)) {

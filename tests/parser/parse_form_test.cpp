@@ -260,8 +260,8 @@ TEST(ParseForm, BlobNeedsAComponentWithLength) {
 
 TEST(ParseForm, DegenerateShapesOfGuessedNumbersAreLeftOut) {
   const auto result = described(
-      "#declare B = blob { sphere { 0, 2, 1 } } #declare P = trace(B, 5*y, -y); cylinder { P, trace(B, 6*y, -y), 1 } "
-      "blob { #if (inside(B, 0)) sphere { 0, 1, 1 } #end } sphere { 0, 1 }");
+      "#declare B = blob { sphere { 0, 2, 1 } } #declare P = trace(B, 5*y, -y); cylinder { P, trace(B, 5*y, -y), 1 } "
+      "blob { #if (inside(B, 5)) sphere { 0, 1, 1 } #end } sphere { 0, 1 }");
   EXPECT_EQ(errors(result), "");
   EXPECT_NE(warnings(result).find("'cylinder' has no length"), std::string::npos);
   EXPECT_NE(warnings(result).find("'blob' needs at least one"), std::string::npos);
