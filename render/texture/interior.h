@@ -17,7 +17,7 @@ struct Interior {
   double caustics = 0.0;
   double dispersion = 1.0;  ///< index for violet over index for red
   int dispersion_samples = 7;
-  std::vector<Media> media;
+  std::vector<Media> media = {};
   double refraction_scale =
       1.0;                      ///< the old `refraction` factor on light that passes; 1 unless a legacy finish sets it
   FeatureUses unrendered = {};  ///< of caustics and dispersion

@@ -15,10 +15,10 @@ using DensityMap = BlendMap<Density>;
 
 /// How thick a medium is from place to place, each colour by itself; 1 everywhere while nothing is said.
 struct Density {
-  FilteredColor color;  ///< of PatternKind::plain
-  Patterning pattern;
-  ColorMap map;                                 ///< empty: grey from 0 to 1
-  std::shared_ptr<const DensityMap> densities;  ///< instead of `map`
+  FilteredColor color = {};  ///< of PatternKind::plain
+  Patterning pattern = {};
+  ColorMap map = {};                                 ///< empty: grey from 0 to 1
+  std::shared_ptr<const DensityMap> densities = {};  ///< instead of `map`
 };
 
 /// What glows, dims or scatters light in space. Plain data; defaults are POV-Ray 3.7's.
@@ -32,7 +32,7 @@ struct Media {
   Scattering scattering_type = Scattering::isotropic;
   double eccentricity = 0.0;
   double extinction = 1.0;
-  std::vector<Density> densities;  ///< multiplied
+  std::vector<Density> densities = {};  ///< multiplied
 
   // How it is sampled.
   int method = 3;

@@ -19,11 +19,11 @@ using SlopeMap = BlendMap<SlopePoint>;
 
 /// How a surface seems uneven where it is not. Plain data. [POV-Ray 3.7 manual, "Normal"]
 struct Normal {
-  Patterning pattern;
-  double amount = 0.5;                       ///< bump_size
-  double accuracy = 0.02;                    ///< step of the differences that tilts are made of
-  std::shared_ptr<const SlopeMap> slopes;    ///< shape of the bumps; null: the pattern as it is
-  std::shared_ptr<const NormalMap> normals;  ///< instead of `slopes`
+  Patterning pattern = {};
+  double amount = 0.5;                            ///< bump_size
+  double accuracy = 0.02;                         ///< step of the differences that tilts are made of
+  std::shared_ptr<const SlopeMap> slopes = {};    ///< shape of the bumps; null: the pattern as it is
+  std::shared_ptr<const NormalMap> normals = {};  ///< instead of `slopes`
 };
 
 /// Adds what the normal asks for that cannot be rendered.

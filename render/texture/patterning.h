@@ -26,10 +26,10 @@ struct Wave {
 /// the map's part: colours, pigments, normals, textures, densities.
 struct Patterning {
   PatternKind kind = PatternKind::none;
-  PatternParameters parameters;
-  std::shared_ptr<const Pattern> field;  ///< evaluates kind and parameters; null where that is not rendered
-  Wave wave;
-  Warps warps;
+  PatternParameters parameters = {};
+  std::shared_ptr<const Pattern> field = {};  ///< evaluates kind and parameters; null where that is not rendered
+  Wave wave = {};
+  Warps warps = {};
   int noise_generator = 0;       ///< 1 to 3; 0: the scene's
   bool keeps_bump_size = false;  ///< no_bump_scale; of normals
   std::uint32_t depth = 0;       ///< levels of descriptions below, in maps and parameters
@@ -60,7 +60,7 @@ struct MapEntry {
 /// A map, or the list of a list pattern, whose entries are descriptions themselves. Shared, immutable once shared.
 template <class T>
 struct BlendMap {
-  std::vector<MapEntry<T>> entries;
+  std::vector<MapEntry<T>> entries = {};
   std::uint32_t depth = 0;      ///< levels of descriptions below its entries
   bool translucent = false;     ///< an entry lets light through; of pigments and textures
   FeatureUses unrendered = {};  ///< of the map and all that is in it

@@ -12,7 +12,7 @@ namespace firstlight::render {
 
 struct ColorMapEntry {
   double position = 0.0;
-  FilteredColor color;
+  FilteredColor color = {};
 };
 
 /// Entries in rising order of position; colours between them are interpolated, beyond them they stay. Of a list
@@ -22,11 +22,11 @@ using PigmentMap = BlendMap<Pigment>;
 
 /// Colour of a surface at a point: one colour, or a pattern through a map of colours or of pigments. Plain data.
 struct Pigment {
-  FilteredColor color;  ///< of PatternKind::plain; nothing said means black
-  Patterning pattern;
-  ColorMap map;                                ///< empty: the pattern's own, see map_of()
-  std::shared_ptr<const PigmentMap> pigments;  ///< instead of `map`; with uv_mapping and average the only form
-  std::optional<FilteredColor> quick_color;    ///< shown by quick previews; not by pictures
+  FilteredColor color = {};  ///< of PatternKind::plain; nothing said means black
+  Patterning pattern = {};
+  ColorMap map = {};                                ///< empty: the pattern's own, see map_of()
+  std::shared_ptr<const PigmentMap> pigments = {};  ///< instead of `map`; with uv_mapping and average the only form
+  std::optional<FilteredColor> quick_color = {};    ///< shown by quick previews; not by pictures
 };
 
 /// The colours that show: the pigment's map, or what POV-Ray gives the pattern when there is none.

@@ -22,11 +22,11 @@ struct TexturePattern {
 
 struct TextureLayer {
   Pigment pigment;
-  std::shared_ptr<const Normal> normal;  ///< null: even
   Finish finish;
-  bool keeps_bump_size = false;  ///< no_bump_scale, for all normals in the layer
+  std::shared_ptr<const Normal> normal = {};  ///< null: even
+  bool keeps_bump_size = false;               ///< no_bump_scale, for all normals in the layer
   /// When not null, the layer is made of this alone, and has no pigment, normal or finish of its own.
-  std::shared_ptr<const TexturePattern> patterned;
+  std::shared_ptr<const TexturePattern> patterned = {};
 };
 
 /// What covers a surface, in layers. Shared between objects, immutable once shared; each use has its own placement.
