@@ -35,12 +35,6 @@ TEST(Refuses, AFolderInPlaceOfAScene) {
   EXPECT_NE(result.err.find("folder.pov"), std::string::npos) << result.err;
 }
 
-TEST(Refuses, AnEmptyFile) {
-  const ScratchFolder scratch;
-  const auto result = expect_refusal(scratch.write("empty.pov", ""), scratch);
-  EXPECT_NE(result.err.find("empty.pov"), std::string::npos) << result.err;
-}
-
 TEST(Refuses, ABinaryFile) {
   const ScratchFolder scratch;
   for (const unsigned seed : {1U, 2U, 3U, 4U, 5U}) {
@@ -58,12 +52,6 @@ TEST(Refuses, ABinaryFile) {
 TEST(Refuses, AFileOfZeros) {
   const ScratchFolder scratch;
   expect_refusal(scratch.write("zeros.pov", std::string(100000, '\0')), scratch);
-}
-
-TEST(Refuses, ASceneWithoutACamera) {
-  const ScratchFolder scratch;
-  const auto result = expect_refusal(scratch.write("blind.pov", "sphere { 0, 1 pigment { rgb 1 } }\n"), scratch);
-  EXPECT_NE(result.err.find("camera"), std::string::npos) << result.err;
 }
 
 TEST(Refuses, AnOutputFolderThatDoesNotExist) {

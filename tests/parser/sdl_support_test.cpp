@@ -102,6 +102,7 @@ Uses uses_in_tests() {
   for (const fs::path& test : files_below(kSource / "tests" / "parser", ".cpp")) {
     if (test.filename() != "sdl_support_test.cpp") note(uses, test, strings_of(text_of(test)));
   }
+  for (const fs::path& table : files_below(kSource / "tests" / "parser", ".txt")) note(uses, table, text_of(table));
   return uses;
 }
 
