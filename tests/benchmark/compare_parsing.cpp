@@ -46,8 +46,8 @@ std::vector<Subject> subjects(const ScratchFolder& scratch) {
        {}},
       {"a recursive macro, 57,313 calls",
        scene("macro.pov",
-             "#macro Fib(N)\n  #if (N < 2) N #else (Fib(N - 1) + Fib(N - 2)) #end\n#end\n"
-             "#declare F = Fib(22);\nsphere { 0, F }\n"),
+             "#macro Fib(N)\n  #if (N < 2)\n    #local R = N;\n  #else\n    #local R = Fib(N - 1) + Fib(N - 2);\n"
+             "  #end\n  R\n#end\n#declare F = Fib(22);\nsphere { 0, F }\n"),
        {},
        {},
        {},
