@@ -166,7 +166,7 @@ void Interpreter::parse_element(Array& array, std::size_t element) {
 
 // All elements of an array are of one kind, unless it is mixed.
 void Interpreter::check_element(Array& array, const Value& value, const Location& at) {
-  if (array.mixed || std::holds_alternative<std::shared_ptr<const Unsupported>>(value)) return;
+  if (array.mixed) return;
   if (array.kind == 0) array.kind = kind_of(value);
   if (array.kind != kind_of(value)) {
     fail(at,

@@ -50,6 +50,11 @@ std::uint32_t Interpreter::find_branch(std::uint32_t index) const {
   const std::vector<Token>& tokens = frames_.back().file->tokens;
   for (; index < frames_.back().end; ++index) {
     if (!tokens[index].is(Punctuation::hash)) continue;
+    if (opens_block(tokens[index + 1].keyword)) {
+      index = end_of_block(index);
+      if (index == kNoLink) return kNoLink;
+      continue;
+    }
     switch (tokens[index + 1].keyword) {
       case Keyword::else_:
       case Keyword::elseif:
@@ -57,16 +62,6 @@ std::uint32_t Interpreter::find_branch(std::uint32_t index) const {
       case Keyword::range:
       case Keyword::end:
         return index;
-      case Keyword::if_:
-      case Keyword::ifdef:
-      case Keyword::ifndef:
-      case Keyword::switch_:
-      case Keyword::while_:
-      case Keyword::for_:
-      case Keyword::macro:
-        index = end_of_block(index);
-        if (index == kNoLink) return kNoLink;
-        break;
       default:
         break;
     }

@@ -122,8 +122,6 @@ Interpreter::Argument Interpreter::parse_argument(bool parameter) {
   const bool by_reference = parameter && name.slot && name.scope <= caller;
   const bool called = name.slot && at_call(*this) && raw_next().is(Punctuation::left_paren);
   if (name.slot && !called && !std::holds_alternative<Numbers>(*name.slot)) {
-    // A call of a function: says why that cannot be.
-    if (raw_next().is(Punctuation::left_paren)) refuse_unsupported();
     take_binding();
     if (by_reference) {
       result.reference = name.slot;
@@ -158,45 +156,15 @@ Interpreter::Argument Interpreter::parse_argument(bool parameter) {
     take();
     result.value = parse_array();
   } else {
-    result.value = parse_statement_value(first);
+    result.value = parse_statement_value();
   }
   return result;
 }
 
-Value Interpreter::parse_statement_value(const Token& first) {
-  const Checkpoint start = checkpoint();
-  const std::size_t conditions = conditions_.size();
+Value Interpreter::parse_statement_value() {
   Reader reader(*this);
-  try {
-    if (std::optional<Value> value = parse_declarable(reader, context_)) return std::move(*value);
-  } catch (const SyntaxError& error) {
-    if (!error.unsupported || first.kind != TokenKind::keyword || conditions_.size() < conditions) throw;
-    conditions_.resize(conditions);
-    // What another value that cannot be used says is the reason for this one as well.
-    std::string why = error.diagnostics.front().message;
-    if (const std::size_t reason = why.rfind(kCannotBeUsed); reason != std::string::npos) {
-      why.erase(0, reason + kCannotBeUsed.size());
-    }
-    return store_unparsed(start, first, std::move(why));
-  }
+  if (std::optional<Value> value = parse_declarable(reader, context_)) return std::move(*value);
   fail(peek().location, "expected a value, found " + describe_next());
-}
-
-// Passes over `word ... { }`, and further layers if it is a texture.
-Value Interpreter::store_unparsed(const Checkpoint& start, const Token& word, std::string why) {
-  return_to(start);
-  do {
-    int depth = 0;
-    do {
-      const Token& token = raw_next();
-      if (frames_.back().position >= frames_.back().end) fail(word.location, std::move(why), true);
-      if (token.is(Punctuation::left_brace)) ++depth;
-      if (token.is(Punctuation::right_brace) && --depth == 0) break;
-      take_raw();
-    } while (true);
-    take_raw();
-  } while (word.is(Keyword::texture) && raw_next().is(Keyword::texture));
-  return std::make_shared<const Unsupported>(Unsupported{word, std::move(why)});
 }
 
 }  // namespace firstlight::parser

@@ -123,7 +123,6 @@ Numbers parse_operand_alone(Interpreter& in, std::uint8_t terms) {
         const Numbers result = parse_call(in);
         return result.size == 1 ? single(result.values[0], terms) : result;
       }
-      if (std::holds_alternative<std::shared_ptr<const Unsupported>>(*value)) in.take();  // tells why
       break;
     }
     case TokenKind::keyword: {

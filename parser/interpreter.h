@@ -152,8 +152,7 @@ class Interpreter final : public TokenStream {
   void store(const Target& target, Value value);
   Target parse_target(const Token& word);
   Argument parse_argument(bool parameter);
-  Value parse_statement_value(const Token& first);
-  Value store_unparsed(const Checkpoint& start, const Token& word, std::string why);
+  Value parse_statement_value();
   const Token& take_identifier(const Token& word);
   // several_declare.cpp
   void run_several_declare(const Token& word);

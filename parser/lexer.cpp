@@ -223,16 +223,8 @@ void link_blocks(TokenFile& file) {
   std::vector<Token>& tokens = file.tokens;
   for (std::uint32_t i = 0; i + 1 < tokens.size(); ++i) {
     if (!tokens[i].is(Punctuation::hash)) continue;
+    if (opens_block(tokens[i + 1].keyword)) open.push_back({i, i});
     switch (tokens[i + 1].keyword) {
-      case Keyword::if_:
-      case Keyword::ifdef:
-      case Keyword::ifndef:
-      case Keyword::switch_:
-      case Keyword::while_:
-      case Keyword::for_:
-      case Keyword::macro:
-        open.push_back({i, i});
-        break;
       case Keyword::else_:
       case Keyword::elseif:
       case Keyword::case_:

@@ -12,13 +12,6 @@ namespace firstlight::parser {
 
 std::string quoted(const Token& word) { return fmt::format("'{}'", word.text); }
 
-void fail_unsupported(Reader& reader, const Token& word) { fail_unsupported(reader, word, quoted(word)); }
-
-void fail_unsupported(Reader& reader, const Token& word, std::string what) {
-  reader.interpreter().fail(word.location, what + " is not supported by this version of Firstlight",
-                            /*unsupported=*/true);
-}
-
 render::FeatureUse feature_use(render::Feature feature, const Token& word) {
   return {feature, word.location.file, word.location.line, word.location.column};
 }

@@ -15,11 +15,6 @@ constexpr double kTinyLength = 1e-10;
 /// The word between quotation marks.
 std::string quoted(const Token& word);
 
-/// "'blob' is not supported by this version of Firstlight", at the word.
-[[noreturn]] void fail_unsupported(Reader& reader, const Token& word);
-/// The same about `what`.
-[[noreturn]] void fail_unsupported(Reader& reader, const Token& word, std::string what);
-
 /// That `feature` is asked for at `word`.
 render::FeatureUse feature_use(render::Feature feature, const Token& word);
 

@@ -53,15 +53,8 @@ Numbers Reader::expression() { return parse_sum(interpreter_, 1); }
 
 void Reader::fail(const Token& at, std::string message) { interpreter_.fail(at.location, std::move(message)); }
 
-void Reader::fail_unsupported(const Token& word) {
-  interpreter_.fail(word.location, "'" + std::string(word.text) + "' is not supported by this version of Firstlight",
-                    true);
-}
-
 void Reader::fail_expected(std::string_view what) {
   const Token at = peek();
-  const Value* value = peek_value();
-  if (value != nullptr && std::holds_alternative<std::shared_ptr<const Unsupported>>(*value)) take();  // tells why
   fail(at, "expected " + std::string(what) + ", found " + interpreter_.describe_next());
 }
 

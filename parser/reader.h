@@ -65,9 +65,6 @@ class Reader {
   // --- messages
   // -------------------------------------------------------------------------------------------------------
   [[noreturn]] void fail(const Token& at, std::string message);
-  /// "'normal' is not supported by this version of Firstlight", at the word. A declaration of such a value is passed
-  /// over with its block; only its use is an error.
-  [[noreturn]] void fail_unsupported(const Token& word);
   /// "expected `what`, found ..." at the next token.
   [[noreturn]] void fail_expected(std::string_view what);
   void warn(const Token& at, std::string message);

@@ -10,21 +10,6 @@ using render::Diagnostic;
 
 namespace {
 
-bool opens_block(Keyword word) {
-  switch (word) {
-    case Keyword::if_:
-    case Keyword::ifdef:
-    case Keyword::ifndef:
-    case Keyword::switch_:
-    case Keyword::while_:
-    case Keyword::for_:
-    case Keyword::macro:
-      return true;
-    default:
-      return false;
-  }
-}
-
 bool goes_on_with_block(Keyword word) {
   return word == Keyword::else_ || word == Keyword::elseif || word == Keyword::case_ || word == Keyword::range;
 }

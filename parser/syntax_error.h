@@ -12,11 +12,8 @@ constexpr std::uint32_t kNoSymbol = 0xffffffff;
 /// A mistake in the scene text: the error first, then its notes. Thrown inside the folder and caught between the
 /// statements of a scene, where Interpreter::recover() tells of it and goes on. Reader::fail and its kin make it.
 struct SyntaxError {
-  explicit SyntaxError(render::Diagnostics messages, bool is_unsupported = false)
-      : diagnostics(std::move(messages)), unsupported(is_unsupported) {}
+  explicit SyntaxError(render::Diagnostics messages) : diagnostics(std::move(messages)) {}
   render::Diagnostics diagnostics;
-  /// Correct, but not supported; a value that is only declared may be so.
-  bool unsupported = false;
   bool fatal = false;                    ///< reading cannot go on
   bool unbalanced = false;               ///< an end without a beginning: behind another mistake, its consequence
   std::uint32_t undeclared = kNoSymbol;  ///< the name that has no meaning, if that is the mistake

@@ -60,4 +60,19 @@ std::string describe(const Token& token) {
   return "'" + std::string(token.text) + "'";
 }
 
+bool opens_block(Keyword word) {
+  switch (word) {
+    case Keyword::if_:
+    case Keyword::ifdef:
+    case Keyword::ifndef:
+    case Keyword::switch_:
+    case Keyword::while_:
+    case Keyword::for_:
+    case Keyword::macro:
+      return true;
+    default:
+      return false;
+  }
+}
+
 }  // namespace firstlight::parser

@@ -90,6 +90,8 @@ struct Token {
 /// `Keyword::none` when `text` is not reserved.
 Keyword find_keyword(std::string_view text);
 std::string_view spelling(Keyword word);
+/// Whether the directive of that word begins a block, which `#end` closes.
+bool opens_block(Keyword word);
 std::string_view spelling(Punctuation mark);
 
 /// For messages: "'sphere'", "number 3.5", "string \"abc\"", "end of file".

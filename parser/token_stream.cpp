@@ -110,7 +110,6 @@ void TokenStream::unsettle() {
 
 const Token& TokenStream::take() {
   const Token& token = peek();
-  refuse_unsupported();
   settled_ = false;
   pending_ = false;
   last_ = &token;
@@ -125,19 +124,6 @@ std::map<std::string, std::uint64_t> TokenStream::keyword_counts() const {
     if (keyword_counts_[i] > 0) counts.emplace(spelling(static_cast<Keyword>(i)), keyword_counts_[i]);
   }
   return counts;
-}
-
-void TokenStream::refuse_unsupported() {
-  if (next_value_ == nullptr) return;
-  const auto* absent = std::get_if<std::shared_ptr<const Unsupported>>(next_value_);
-  if (absent == nullptr) return;
-  const Unsupported& what = **absent;
-  SyntaxError error({diagnostic(next_->location, Diagnostic::Severity::error,
-                                "'" + std::string(next_->text) + "'" + std::string(kCannotBeUsed) + what.why),
-                     diagnostic(what.word.location, Diagnostic::Severity::note, "it is declared here")},
-                    true);
-  add_call_chain(error.diagnostics);
-  throw error;
 }
 
 Scopes::Binding TokenStream::peek_binding() const {
@@ -176,7 +162,6 @@ const Token& TokenStream::take_raw() {
 
 void TokenStream::expect(Punctuation mark, std::string_view purpose, std::string_view name) {
   if (!peek().is(mark)) {
-    refuse_unsupported();
     std::string expected = "expected '" + std::string(spelling(mark)) + "' " + std::string(purpose);
     if (!name.empty()) expected.append(" '").append(name).append("'");
     fail(peek().location, expected + ", found " + describe_next());
@@ -201,24 +186,10 @@ void TokenStream::leave_frame() {
   scopes_.leave();
 }
 
-TokenStream::Checkpoint TokenStream::checkpoint() {
-  unsettle();
-  return {frames_.size(), frames_.back().position, blocks_.size(), scopes_.current()};
-}
-
-void TokenStream::return_to(const Checkpoint& place) {
-  settled_ = false;
-  pending_ = false;
-  while (frames_.size() > place.frames) leave_frame();
-  frames_.back().position = place.position;
-  blocks_.resize(place.blocks);
-}
-
 // --- blocks ---------------------------------------------------------------------------------------------------------
 
 void TokenStream::open_block(const Token& owner) {
   if (!peek().is(Punctuation::left_brace)) {
-    refuse_unsupported();
     fail(peek().location, "expected '{' after '" + std::string(owner.text) + "', found " + describe_next());
   }
   if (blocks_.size() >= kDeepestBlock) {
@@ -232,7 +203,6 @@ void TokenStream::close_block() {
   const Token owner = blocks_.back();
   const std::string name(owner.text);
   if (!peek().is(Punctuation::right_brace)) {
-    refuse_unsupported();
     fail(peek().location, "expected '}' to close '" + name + "', found " + describe_next(), owner.location,
          "'" + name + "' opened here");
   }
@@ -291,9 +261,8 @@ SyntaxError TokenStream::error_at(const Location& at, std::string message) {
   return error;
 }
 
-void TokenStream::fail(const Location& at, std::string message, bool unsupported) {
+void TokenStream::fail(const Location& at, std::string message) {
   SyntaxError error = error_at(at, std::move(message));
-  error.unsupported = unsupported;
   add_call_chain(error.diagnostics);
   throw error;
 }

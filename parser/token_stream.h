@@ -16,9 +16,6 @@
 
 namespace firstlight::parser {
 
-/// Between a name whose value cannot be rendered and the reason.
-constexpr std::string_view kCannotBeUsed = " cannot be used: ";
-
 /// The scene as one stream of significant tokens, over a stack of token ranges: the scene's file, included files, macro
 /// bodies. What to do at a directive or at a macro's name is the Interpreter's part.
 ///
@@ -101,7 +98,7 @@ class TokenStream {
   void close_block();
 
   // --- messages -----------------------------------------------------------------------------------------------------
-  [[noreturn]] void fail(const Location& at, std::string message, bool unsupported = false);
+  [[noreturn]] void fail(const Location& at, std::string message);
   [[noreturn]] void fail(const Location& at, std::string message, const Location& note_at, std::string note);
   /// The same about something after which the scene cannot be read on, such as a limit.
   [[noreturn]] void fail_finally(const Location& at, std::string message);
@@ -139,14 +136,6 @@ class TokenStream {
     bool once = false;  ///< a warning at the first use is enough
   };
 
-  /// A place to return to when a value turns out to be none that can be rendered.
-  struct Checkpoint {
-    std::size_t frames = 0;
-    std::uint32_t position = 0;
-    std::size_t blocks = 0;
-    std::uint32_t scope = 0;
-  };
-
   /// Where the statement at top level begins that is being read.
   struct StatementStart {
     std::size_t frames = 0;
@@ -164,8 +153,6 @@ class TokenStream {
   /// The slot of the part that the subscripts and keys behind `name` pick.
   virtual Scopes::Slot pick_part(const Scopes::Slot& container, const Token& name, Pick purpose) = 0;
 
-  /// Fails when the token that peek() gave is a name whose value cannot be rendered.
-  void refuse_unsupported();
   const Token& take_raw();
   void count(Keyword word) { ++keyword_counts_[static_cast<std::size_t>(word)]; }
   const Token& raw_next() const { return frames_.back().file->tokens[frames_.back().position]; }
@@ -173,8 +160,6 @@ class TokenStream {
   void unsettle();
   void enter_frame(Frame frame);
   void leave_frame();
-  Checkpoint checkpoint();
-  void return_to(const Checkpoint& place);
   void drop_blocks() { blocks_.clear(); }
   void report(const render::Diagnostic& message);
   void add_call_chain(render::Diagnostics& messages) const;

@@ -35,7 +35,6 @@ std::string_view kind_name(const Value& value) {
                                                                   "transform",
                                                                   "function",
                                                                   "spline",
-                                                                  "unsupported value",
                                                                   "dictionary",
                                                                   "file",
                                                                   "fog",

@@ -29,7 +29,6 @@ class DataFile;
 struct Dictionary;
 struct Macro;
 struct TokenFile;
-struct Unsupported;
 
 /// A vector of 2 to 5 numbers, or a single number (size 1). `is_color` records that it was made by a colour keyword,
 /// which decides what POV-Ray makes of it when it is declared.
@@ -72,7 +71,6 @@ using Value = std::variant<std::monostate,                             // declar
                            std::shared_ptr<const render::Transform>,   // transform
                            render::FunctionPtr,                        // function
                            std::shared_ptr<const render::Spline>,      // spline
-                           std::shared_ptr<const Unsupported>,         // what cannot be rendered
                            std::shared_ptr<Dictionary>,                // dictionary
                            std::shared_ptr<DataFile>,                  // what #fopen opens
                            std::shared_ptr<const render::Fog>,         // fog
@@ -105,13 +103,6 @@ struct Macro {
   std::vector<Parameter> parameters;
   const TokenFile* file = nullptr;
   std::uint32_t begin = 0, end = 0;  ///< into the file's tokens
-};
-
-/// A value that was declared but cannot be rendered, such as a function. Only its use is an error, for standard include
-/// files declare much that a scene never asks for.
-struct Unsupported {
-  Token word;       ///< the word that is not supported
-  std::string why;  ///< the message
 };
 
 /// Whether `next` behind a name with this value picks a part of it: `Array[1]`, `Dictionary.Key`.

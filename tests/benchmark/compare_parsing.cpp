@@ -2,6 +2,7 @@
 // POV-Ray's time is the parse time that it prints; ours is all of `firstlight --parse-only`, its start included.
 // Usage: compare_parsing [--rounds 5]
 
+#include "app/study/curve.h"
 #include "tests/benchmark/paired.h"
 #include "tests/golden/process.h"
 
@@ -91,7 +92,7 @@ int main(int argc, char** argv) {
   app.add_option("--rounds", rounds, "how often each is run")->check(CLI::PositiveNumber);
   CLI11_PARSE(app, argc, argv);
   try {
-    using firstlight::benchmark::median;
+    using firstlight::app::median;
     const ScratchFolder scratch;
     std::vector<Subject> all = subjects(scratch);
     for (int round = 0; round < rounds; ++round) {

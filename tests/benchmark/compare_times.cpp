@@ -4,6 +4,7 @@
 // so that a machine that is slower for a minute is slower for all. Reported are medians, and the range of each ratio.
 // Usage: compare_times [--size 1024] [--rounds 7] [--threads 1] [--scene FILE.pov] [--without-povray]
 
+#include "app/study/curve.h"
 #include "tests/benchmark/paired.h"
 #include "tests/golden/process.h"
 
@@ -22,7 +23,7 @@
 namespace {
 
 namespace fs = std::filesystem;
-using firstlight::benchmark::median;
+using firstlight::app::median;
 using firstlight::benchmark::povray_seconds;
 using firstlight::benchmark::ratio_text;
 using firstlight::golden::ProcessResult;

@@ -1,5 +1,7 @@
 #include "tests/benchmark/paired.h"
 
+#include "app/study/curve.h"
+
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -8,17 +10,11 @@
 
 namespace firstlight::benchmark {
 
-double median(std::vector<double> values) {
-  std::sort(values.begin(), values.end());
-  const std::size_t middle = values.size() / 2;
-  return values.size() % 2 == 1 ? values[middle] : (values[middle - 1] + values[middle]) / 2;
-}
-
 std::string ratio_text(const std::vector<double>& above, const std::vector<double>& below) {
   std::vector<double> ratios;
   for (std::size_t i = 0; i < above.size(); ++i) ratios.push_back(above[i] / below[i]);
   const auto [least, most] = std::minmax_element(ratios.begin(), ratios.end());
-  return fmt::format("{:.2f} ({:.2f} to {:.2f})", median(ratios), *least, *most);
+  return fmt::format("{:.2f} ({:.2f} to {:.2f})", app::median(ratios), *least, *most);
 }
 
 double povray_seconds(std::string_view label, const std::string& printed) {
