@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # Runs every test: the release build with all of them (unit tests, and POV-Ray as the reference), then the unit tests
-# again under AddressSanitizer + UndefinedBehaviorSanitizer and under ThreadSanitizer, then a minute of random scenes for
-# the parser. Needs no display.
+# again under AddressSanitizer + UndefinedBehaviorSanitizer, with a minute of random scenes for the parser, and under
+# ThreadSanitizer. Needs no display.
 # Installs what is missing (Debian packages), builds what changed. The last line is the count of all of them.
 set -uo pipefail
 
@@ -19,11 +19,12 @@ finish() {
   exit $((failed > 0 || passed == 0))
 }
 
-# run PRESET TARGET CTEST-OPTION...: builds the target and runs the tests chosen, adding to the count.
+# run PRESET TARGETS CTEST-OPTION...: builds the targets and runs the tests chosen, adding to the count.
 run() {
-  local preset=$1 target=$2
+  local preset=$1 targets=$2
   shift 2
-  if ! build "$preset" "$target"; then
+  # shellcheck disable=SC2086
+  if ! build "$preset" $targets; then
     say "The $preset build failed"
     failed=$((failed + 1))
     return
@@ -51,7 +52,6 @@ run() {
 
 install_missing $build_packages $test_packages || { failed=1; finish; }
 run release all
-run asan firstlight_unit_tests -L unit
+run asan "firstlight_unit_tests firstlight_parser_fuzz" -L "unit|fuzz"
 run tsan firstlight_unit_tests -L unit
-run fuzz firstlight_parser_fuzz -L fuzz
 finish

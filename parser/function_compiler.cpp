@@ -63,11 +63,16 @@ class Compiler {
     std::size_t mark;
   };
 
-  /// Operators of one rank in a row.
+  /// An operand and the operators of `rank` and above behind it. The ranks take turns at what is there already, so
+  /// that the depth of the stack is that of the parentheses.
   void binary(std::size_t rank) {
-    if (rank == kRankCount) return operand();
     const std::size_t start = emitter_.mark();
-    binary(rank + 1);
+    operand();
+    for (std::size_t above = kRankCount; above-- > rank;) row(above, start);
+  }
+
+  /// Operators of one rank in a row, behind the first operand, which begins at `start`.
+  void row(std::size_t rank, std::size_t start) {
     std::optional<Joinable> last;
     while (at_ < tokens_.size() && next().kind == TokenKind::punctuation) {
       const auto found = std::ranges::find(kRanks[rank], next().punctuation, &Binary::mark);

@@ -23,7 +23,7 @@ namespace {
 
 constexpr std::size_t kMostPigments = 1000;  // of a sky sphere
 
-Fog::Turbulence& turbulence_of(Fog& fog) {
+render::FogTurbulence& turbulence_of(Fog& fog) {
   if (!fog.turbulence) fog.turbulence.emplace();
   return *fog.turbulence;
 }

@@ -13,23 +13,34 @@ using render::Object;
 
 namespace {
 
-Object parse_shape(Reader& reader, SceneContext& context, ShapeReader read, bool patch) {
-  const Token word = reader.take();
-  reader.open_block(word);
-  if (auto declared = accept_declared_object(reader)) {
-    parse_modifiers(reader, context, word, *declared);
-    return std::move(*declared);
+/// How the word of a shape is read: one of `read` and `describe` is there.
+struct ShapeWord {
+  ShapeReader read = nullptr;
+  FormReader describe = nullptr;
+  bool patch = false;
+};
+
+ShapeWord shape_word(Keyword word) {
+  switch (word) {
+#define SHAPE(word, function) \
+  case Keyword::word:         \
+    return {.read = function};
+#define PATCH(word, function) \
+  case Keyword::word:         \
+    return {.read = function, .patch = true};
+#define FORM(word, function) \
+  case Keyword::word:        \
+    return {.describe = function};
+#include "parser/shapes.def"
+#undef FORM
+#undef PATCH
+#undef SHAPE
+    default:
+      return {};
   }
-  Object object;
-  object.shape = read(reader, word);
-  object.word = spelling(word.keyword);
-  if (!object.shape) object = empty_object();
-  object.patch = patch;
-  parse_modifiers(reader, context, word, object);
-  return object;
 }
 
-Object parse_described(Reader& reader, SceneContext& context, FormReader read) {
+Object parse_shape(Reader& reader, SceneContext& context, const ShapeWord& shape) {
   const Token word = reader.take();
   reader.open_block(word);
   if (auto declared = accept_declared_object(reader)) {
@@ -38,11 +49,17 @@ Object parse_described(Reader& reader, SceneContext& context, FormReader read) {
   }
   Object object;
   object.word = spelling(word.keyword);
-  read(reader, context, word, object);
+  if (shape.read) {
+    object.shape = shape.read(reader, word);
+  } else {
+    shape.describe(reader, context, word, object);
+  }
   if (object.form) {
     object.patch = render::is_patch(*object.form);
     object.unrendered.add(feature_use(render::feature_of(*object.form), word));
-  } else if (!object.shape) {
+  } else if (object.shape) {
+    object.patch = shape.patch;
+  } else {
     object = empty_object();
   }
   parse_modifiers(reader, context, word, object);
@@ -81,20 +98,9 @@ std::optional<Object> parse_object(Reader& reader, SceneContext& context) {
   const Token& next = reader.peek();
   if (next.kind == TokenKind::identifier) return accept_declared_object(reader);
   if (next.kind != TokenKind::keyword) return std::nullopt;
+  const ShapeWord shape = shape_word(next.keyword);
+  if (shape.read || shape.describe) return parse_shape(reader, context, shape);
   switch (next.keyword) {
-#define SHAPE(word, function) \
-  case Keyword::word:         \
-    return parse_shape(reader, context, function, false);
-#define PATCH(word, function) \
-  case Keyword::word:         \
-    return parse_shape(reader, context, function, true);
-#define FORM(word, function) \
-  case Keyword::word:        \
-    return parse_described(reader, context, function);
-#include "parser/shapes.def"
-#undef FORM
-#undef PATCH
-#undef SHAPE
     case Keyword::object:
       return parse_wrapped(reader, context);
     case Keyword::union_:

@@ -35,6 +35,8 @@ void parse_top_object(Reader& reader, SceneContext& context) {
   if (context.size > kMaxObjects) {
     reader.fail(at, "the scene has more than " + std::to_string(kMaxObjects) + " objects");
   }
+  // Behind an error only further errors are looked for.
+  if (reader.interpreter().has_failed()) return;
   context.builder.add(std::move(*object), context.default_texture);
 }
 

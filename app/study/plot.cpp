@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <ranges>
 
 namespace firstlight::app {
 namespace {
@@ -93,7 +92,8 @@ std::string to_svg(const Plot& plot) {
                                 escape_html(plot.title));
   svg += axes(plot, frame);
   // The first lines lie above the others.
-  for (const PlotLine& line : plot.lines | std::views::reverse) {
+  for (auto at = plot.lines.rbegin(); at != plot.lines.rend(); ++at) {
+    const PlotLine& line = *at;
     svg += fmt::format("<polyline class=\"line line{}\" points=\"", line.style);
     for (const CurvePoint& point : line.points)
       svg += fmt::format("{:.1f},{:.1f} ", frame.x(point.x), frame.y(point.y));

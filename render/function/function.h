@@ -11,7 +11,7 @@ namespace firstlight::render {
 
 /// What an evaluation of functions needs beside its arguments, and may use up. One for each thread.
 struct Evaluation {
-  static constexpr std::uint64_t kMostSteps = 2'000'000'000;
+  static constexpr std::uint64_t kMostSteps = 200'000'000;
 
   int noise_generator = 2;                ///< the scene's own, for `f_noise3d`
   std::uint64_t steps_left = kMostSteps;  ///< of loops; at 0 they end early and their value means nothing

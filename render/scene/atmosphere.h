@@ -14,15 +14,17 @@
 namespace firstlight::render {
 
 /// Source   POV-Ray 3.7 manual, "Fog".
+struct FogTurbulence {
+  Vec3 amount{0.0, 0.0, 0.0};
+  int octaves = 6;
+  double omega = 0.5;
+  double lambda = 2.0;
+};
+
+/// Source   POV-Ray 3.7 manual, "Fog".
 struct Fog {
   static constexpr int kConstant = 1;
   static constexpr int kGround = 2;
-  struct Turbulence {
-    Vec3 amount{0.0, 0.0, 0.0};
-    int octaves = 6;
-    double omega = 0.5;
-    double lambda = 2.0;
-  };
 
   int type = kConstant;
   double distance = 0.0;  ///< at which 1/e of the light is left; 0: no fog
@@ -30,7 +32,7 @@ struct Fog {
   double altitude = 0.0;   ///< of ground fog: above `offset`, where a quarter of its density is left
   double offset = 0.0;     ///< of ground fog: below it the density is constant
   Vec3 up{0.0, 1.0, 0.0};  ///< unit length
-  std::optional<Turbulence> turbulence;
+  std::optional<FogTurbulence> turbulence;
   double turbulence_depth = 0.5;
   FeatureUses unrendered = {};
 };

@@ -64,7 +64,8 @@ TEST(ParsePattern, EveryPatternTellsWhetherItIsRendered) {
 }
 
 TEST(ParsePattern, CrackleHasFormMetricOffsetAndSolid) {
-  const auto& bare = parameters<render::CrackleParameters>(pigment_of("crackle").pattern);
+  const auto plain = pigment_of("crackle");
+  const auto& bare = parameters<render::CrackleParameters>(plain.pattern);
   EXPECT_EQ(bare.form, Vec3(-1, 1, 0));
   EXPECT_EQ(bare.metric, 2.0);
   EXPECT_EQ(bare.offset, 0.0);

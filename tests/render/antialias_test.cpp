@@ -227,7 +227,7 @@ TEST(Antialias, LittleIsTracedInVain) {
 }
 
 TEST(Antialias, WhatTheFilmHasNoRoomForComesInPortions) {
-  constexpr int kSize = 96;
+  constexpr int kSize = 60;
   const Painting painting = noise(1);
   const AntialiasSettings settings = settings_of(1, 0.0, 9);
   const Development development(settings, painting, kSize, kSize);
