@@ -58,6 +58,12 @@ HWY_INLINE Vec operator*(const Vec& a, const Vec& b) {
 }
 HWY_INLINE Vec operator*(const Vec& a, V b) { return {hn::Mul(a.x, b), hn::Mul(a.y, b), hn::Mul(a.z, b)}; }
 
+/// `color`, or black. What a lane is not meant to have is masked, not multiplied by 0: 0 times infinity would make it
+/// depend on its neighbours, for whose sake it is computed or left out.
+HWY_INLINE Vec only_where(Mask mask, const Vec& color) {
+  return {hn::IfThenElseZero(mask, color.x), hn::IfThenElseZero(mask, color.y), hn::IfThenElseZero(mask, color.z)};
+}
+
 HWY_INLINE bool any(Mask mask) { return !hn::AllFalse(D(), mask); }
 
 /// In the light itself no direction leads to it; the zero vector stands for that, and gives no light.
@@ -117,7 +123,7 @@ HWY_INLINE V phong(const LayerColumns& layer, std::size_t i, const Lit& lit, con
   const V size = load(layer.phong_size, i);
   // Small cosines to large powers are left out, as POV-Ray does.
   const Mask lost = hn::And(hn::Ge(size, hn::Set(d, 60.0)), hn::Le(cosine, hn::Set(d, 0.0008)));
-  const Mask seen = hn::AndNot(lost, hn::Gt(cosine, hn::Zero(d)));
+  const Mask seen = hn::And(hn::AndNot(lost, hn::Gt(cosine, hn::Zero(d))), hn::Ne(amount, hn::Zero(d)));
   return hn::IfThenElseZero(seen, hn::Mul(amount, power(d, cosine, size)));
 }
 
@@ -130,7 +136,8 @@ HWY_INLINE V specular(const LayerColumns& layer, std::size_t i, const Lit& lit, 
   const V along = dot(halfway, normal);
   const V square = hn::Div(hn::Mul(along, along), dot(halfway, halfway));
   const V exponent = hn::Mul(load(layer.specular_exponent, i), hn::Set(d, 0.5));
-  return hn::IfThenElseZero(hn::Gt(along, hn::Zero(d)), hn::Mul(amount, power(d, square, exponent)));
+  const Mask seen = hn::And(hn::Gt(along, hn::Zero(d)), hn::Ne(amount, hn::Zero(d)));
+  return hn::IfThenElseZero(seen, hn::Mul(amount, power(d, square, exponent)));
 }
 
 /// What one layer makes of white light, times the ray's weight.
@@ -143,7 +150,7 @@ HWY_INLINE Vec term_of(const HitBlock& block, const LayerColumns& layer, std::si
   const Mask plain = hn::Eq(brilliance, hn::Set(d, 1.0));
   const V falloff = !any(hn::AndNot(plain, lit.used)) ? size : hn::IfThenElse(plain, size, power(d, size, brilliance));
   const V amount = hn::IfThenElse(lit.behind, load(layer.diffuse_back, i), load(layer.diffuse, i));
-  Vec term = load(layer.color, i) * hn::IfThenElseZero(hn::Ne(amount, zero), hn::Mul(falloff, amount));
+  Vec term = only_where(hn::Ne(amount, zero), load(layer.color, i) * hn::Mul(falloff, amount));
   if (lit.highlights) {
     // Which highlights there are is asked of the surfaces alone: whether they face the light cannot be foretold.
     const V shine = load(layer.phong, i);
@@ -160,7 +167,7 @@ HWY_INLINE Vec term_of(const HitBlock& block, const LayerColumns& layer, std::si
         highlight = hn::Add(highlight,
                             specular(layer, i, lit, load(block.direction, i), load(block.normal, i), in_front(gloss)));
       }
-      term = term + tint_of(layer, i, lit.cosine) * highlight;
+      term = term + only_where(hn::Ne(highlight, zero), tint_of(layer, i, lit.cosine) * highlight);
     }
   }
   return load(layer.share, i) * term;
@@ -229,9 +236,7 @@ void light_hits_of(HitBlock& block, std::span<const Light> lights) {
       }
       const Mask shines =
           hn::Ge(hn::Max(hn::Abs(color.x), hn::Max(hn::Abs(color.y), hn::Abs(color.z))), hn::Set(d, kNegligible));
-      color = color * term;
-      color = {hn::IfThenElseZero(shines, color.x), hn::IfThenElseZero(shines, color.y),
-               hn::IfThenElseZero(shines, color.z)};
+      color = only_where(shines, color * term);
       if (light.shadowless) {
         sum = sum + Triple<hn::VFromD<I>>{fixed_of(d, color.x), fixed_of(d, color.y), fixed_of(d, color.z)};
         store(hn::Zero(U()), block.light[l], i);

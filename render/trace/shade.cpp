@@ -13,8 +13,9 @@ namespace {
 
 constexpr double kNegligible = 1e-10;
 
-/// Of a layer for hits that have none.
+/// Of a layer for hits that have none. The share too, for what was there before need not be a number.
 void clear_amounts(LayerColumns& layer, std::size_t count) {
+  for (Column<double>& column : layer.share.of) std::fill_n(column.at.begin(), count, 0.0);
   for (Column<double>* column : {&layer.diffuse, &layer.diffuse_back, &layer.phong, &layer.specular}) {
     std::fill_n(column->at.begin(), count, 0.0);
   }
