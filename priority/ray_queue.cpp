@@ -78,8 +78,9 @@ RayQueue::Popped RayQueue::pop(int at_least, Among among) {
 RayQueue::Popped RayQueue::wait_and_pop(const std::function<bool()>& refill) {
   std::unique_lock lock(mutex_);
   const auto something = [this] { return used_.top() != kNoSlot || stale_ != nullptr; };
-  if (idle_.fetch_add(1, std::memory_order_relaxed) + 1 == workers_ && !something() && !closed()) {
-    // The last one to run dry: no worker holds an open block, so nothing can come any more, but by a refill.
+  if (idle() + 1 == workers_ && !something() && !closed()) {
+    // The last one to run dry: no worker holds an open block, so nothing can come any more, but by a refill. It is not
+    // idle meanwhile: nobody may think that the picture is at rest.
     if (refill()) {
       ++refills_;
     } else {
@@ -87,9 +88,10 @@ RayQueue::Popped RayQueue::wait_and_pop(const std::function<bool()>& refill) {
     }
     changed_.notify_all();
   } else {
+    idle_.fetch_add(1, std::memory_order_relaxed);
     changed_.wait(lock, [&, seen = refills_] { return closed() || something() || refills_ != seen; });
+    idle_.fetch_sub(1, std::memory_order_relaxed);
   }
-  idle_.fetch_sub(1, std::memory_order_relaxed);
   return pop_locked(0, Among::all);
 }
 

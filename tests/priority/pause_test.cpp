@@ -20,7 +20,7 @@ namespace {
 
 using std::chrono::milliseconds;
 
-#ifdef __SANITIZE_THREAD__
+#ifdef FIRSTLIGHT_THREAD_SANITIZER
 constexpr int kWidth = 40;  // everything takes many times as long
 constexpr int kHeight = 30;
 #else

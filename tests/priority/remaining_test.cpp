@@ -15,7 +15,7 @@
 namespace firstlight::priority {
 namespace {
 
-#ifdef __SANITIZE_THREAD__
+#ifdef FIRSTLIGHT_THREAD_SANITIZER
 constexpr int kWidth = 23;  // everything takes many times as long
 constexpr int kHeight = 19;
 #else
