@@ -67,58 +67,57 @@ Mat4 turn(double radians, int from, int to) {
 
 }  // namespace
 
-Transform::Transform(const Mat4& matrix)
-    : matrix_(matrix), inverse_(affine_inverse(matrix)), identity_(matrix == Mat4()) {}
+const Transform::Matrices Transform::kIdentity;
+
+Transform::Transform(const Matrices& matrices)
+    : matrices_(matrices.forth == Mat4() ? nullptr : std::make_shared<const Matrices>(matrices)) {}
+
+Transform::Transform(const Mat4& matrix) : Transform(Matrices{matrix, affine_inverse(matrix)}) {}
 
 Transform Transform::translation(const Vec3& offset) {
-  Transform t;
+  Matrices m;
   for (int axis = 0; axis < 3; ++axis) {
-    t.matrix_[3][axis] = offset[axis];
-    t.inverse_[3][axis] = -offset[axis];
+    m.forth[3][axis] = offset[axis];
+    m.back[3][axis] = -offset[axis];
   }
-  t.identity_ = offset == Vec3(0.0);
-  return t;
+  return Transform(m);
 }
 
 Transform Transform::rotation(const Vec3& degrees) {
+  if (degrees == Vec3(0.0)) return Transform();
   const Vec3 r = degrees * kRadiansPerDegree;
-  Transform t;
   // In a left-handed system with row vectors: x turns y to z, y turns z to x, z turns x to y.
-  t.matrix_ = turn(r.x, 1, 2) * turn(r.y, 2, 0) * turn(r.z, 0, 1);
-  t.inverse_ = linear_transpose(t.matrix_);
-  t.identity_ = degrees == Vec3(0.0);
-  return t;
+  const Mat4 matrix = turn(r.x, 1, 2) * turn(r.y, 2, 0) * turn(r.z, 0, 1);
+  return Transform(Matrices{matrix, linear_transpose(matrix)});
 }
 
 Transform Transform::scaling(const Vec3& factors) {
-  Transform t;
+  Matrices m;
   for (int axis = 0; axis < 3; ++axis) {
-    t.matrix_[axis][axis] = factors[axis];
-    t.inverse_[axis][axis] = 1.0 / factors[axis];
+    m.forth[axis][axis] = factors[axis];
+    m.back[axis][axis] = 1.0 / factors[axis];
   }
-  t.identity_ = factors == Vec3(1.0);
-  return t;
+  return Transform(m);
 }
 
 Transform Transform::rotation_about(const Vec3& axis, double degrees) {
   const double length = axis.length();
-  if (!(length > 0.0)) return Transform();
+  if (!(length > 0.0) || degrees == 0.0) return Transform();
   const Vec3 u = axis / length;
   const double c = std::cos(degrees * kRadiansPerDegree);
   const double s = std::sin(degrees * kRadiansPerDegree);
-  Transform t;
+  Mat4 matrix;
   // Rodrigues' rotation as a matrix for row vectors: u u^T (1 - c) + I c + [u]x^T s.
   for (int i = 0; i < 3; ++i) {
-    for (int j = 0; j < 3; ++j)
-      t.matrix_[i][j] = i == j ? u[i] * u[i] + c * (1.0 - u[i] * u[i]) : u[i] * u[j] * (1.0 - c);
+    for (int j = 0; j < 3; ++j) {
+      matrix[i][j] = i == j ? u[i] * u[i] + c * (1.0 - u[i] * u[i]) : u[i] * u[j] * (1.0 - c);
+    }
     const int j1 = (i + 1) % 3;
     const int j2 = (i + 2) % 3;
-    t.matrix_[i][j1] += u[j2] * s;
-    t.matrix_[i][j2] -= u[j1] * s;
+    matrix[i][j1] += u[j2] * s;
+    matrix[i][j2] -= u[j1] * s;
   }
-  t.inverse_ = linear_transpose(t.matrix_);
-  t.identity_ = degrees == 0.0;
-  return t;
+  return Transform(Matrices{matrix, linear_transpose(matrix)});
 }
 
 bool Transform::is_invertible(const Mat4& matrix) {
@@ -134,52 +133,45 @@ bool Transform::is_invertible(const Mat4& matrix) {
 }
 
 Transform Transform::inverse() const {
-  Transform t;
-  t.matrix_ = inverse_;
-  t.inverse_ = matrix_;
-  t.identity_ = identity_;
-  return t;
+  return is_identity() ? Transform() : Transform(Matrices{matrices_->back, matrices_->forth});
 }
 
 Transform Transform::then(const Transform& next) const {
-  if (identity_) return next;
-  if (next.identity_) return *this;
-  Transform t;
-  t.matrix_ = matrix_ * next.matrix_;
-  t.inverse_ = next.inverse_ * inverse_;
-  t.identity_ = t.matrix_ == Mat4();
-  return t;
+  if (is_identity()) return next;
+  if (next.is_identity()) return *this;
+  return Transform(Matrices{matrices_->forth * next.matrices_->forth, next.matrices_->back * matrices_->back});
 }
 
-Vec3 Transform::point(const Vec3& p) const { return identity_ ? p : apply(p, matrix_); }
+Vec3 Transform::point(const Vec3& p) const { return is_identity() ? p : apply(p, matrices_->forth); }
 
-Vec3 Transform::direction(const Vec3& d) const { return identity_ ? d : apply_linear(d, matrix_); }
+Vec3 Transform::direction(const Vec3& d) const { return is_identity() ? d : apply_linear(d, matrices_->forth); }
 
 Vec3 Transform::normal(const Vec3& n) const {
-  if (identity_) return n;
-  const Mat4& m = inverse_;
+  if (is_identity()) return n;
+  const Mat4& m = matrices_->back;
   return Vec3(n.x * m[0][0] + n.y * m[0][1] + n.z * m[0][2], n.x * m[1][0] + n.y * m[1][1] + n.z * m[1][2],
               n.x * m[2][0] + n.y * m[2][1] + n.z * m[2][2]);
 }
 
-Vec3 Transform::inverse_point(const Vec3& p) const { return identity_ ? p : apply(p, inverse_); }
+Vec3 Transform::inverse_point(const Vec3& p) const { return is_identity() ? p : apply(p, matrices_->back); }
 
-Vec3 Transform::inverse_direction(const Vec3& d) const { return identity_ ? d : apply_linear(d, inverse_); }
+Vec3 Transform::inverse_direction(const Vec3& d) const { return is_identity() ? d : apply_linear(d, matrices_->back); }
 
 Ray Transform::inverse_ray(const Ray& ray) const {
   return Ray{inverse_point(ray.origin), inverse_direction(ray.direction)};
 }
 
 Box3 Transform::box(const Box3& b) const {
-  if (identity_ || b.isEmpty()) return b;
+  if (is_identity() || b.isEmpty()) return b;
+  const Mat4& matrix = matrices_->forth;
   Box3 out;
   for (int axis = 0; axis < 3; ++axis) {
-    double low = matrix_[3][axis];
+    double low = matrix[3][axis];
     double high = low;
     bool no_low = false;
     bool no_high = false;
     for (int from = 0; from < 3; ++from) {
-      const double factor = matrix_[from][axis];
+      const double factor = matrix[from][axis];
       if (factor == 0.0) continue;
       const double lower = factor > 0.0 ? b.min[from] : b.max[from];
       const double upper = factor > 0.0 ? b.max[from] : b.min[from];

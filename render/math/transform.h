@@ -2,10 +2,13 @@
 
 #include "render/math/vec.h"
 
+#include <memory>
+
 namespace firstlight::render {
 
 /// An affine map with its inverse, in POV-Ray's convention: points are row vectors, p' = p * matrix, axes are
-/// left-handed, so `first.then(second)` multiplies matrices in reading order of the scene text.
+/// left-handed, so `first.then(second)` multiplies matrices in reading order of the scene text. A small value: copies
+/// share the matrices, and most transformations of a scene are the identity, which has none.
 class Transform {
  public:
   Transform() = default;
@@ -21,9 +24,9 @@ class Transform {
   static Transform rotation_about(const Vec3& axis, double degrees);
   static bool is_invertible(const Mat4& matrix);
 
-  bool is_identity() const { return identity_; }
-  const Mat4& matrix() const { return matrix_; }
-  const Mat4& inverse_matrix() const { return inverse_; }
+  bool is_identity() const { return matrices_ == nullptr; }
+  const Mat4& matrix() const { return matrices_ ? matrices_->forth : kIdentity.forth; }
+  const Mat4& inverse_matrix() const { return matrices_ ? matrices_->back : kIdentity.back; }
   Transform inverse() const;
   Transform then(const Transform& next) const;
 
@@ -38,9 +41,15 @@ class Transform {
   Box3 box(const Box3& b) const;
 
  private:
-  Mat4 matrix_;
-  Mat4 inverse_;
-  bool identity_ = true;
+  struct Matrices {
+    Mat4 forth;
+    Mat4 back;
+  };
+  static const Matrices kIdentity;
+
+  explicit Transform(const Matrices& matrices);
+
+  std::shared_ptr<const Matrices> matrices_;  ///< null: the identity
 };
 
 }  // namespace firstlight::render

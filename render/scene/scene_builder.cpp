@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <iterator>
 #include <optional>
 #include <utility>
 
@@ -220,10 +221,14 @@ void SceneBuilder::State::order_solids() {
   constexpr std::size_t kBoundingThreshold = 3;
   constexpr double kUnboundedVolume = 2e10;
   if (scene->solids.size() + scene->lights.size() < kBoundingThreshold) return;
-  std::stable_partition(scene->solids.begin(), scene->solids.end(), [](const Solid& solid) {
+  const auto unbounded = [](const Solid& solid) {
     const Vec3 size = solid.box.size();
     return !(size.x * size.y * size.z <= kUnboundedVolume);
-  });
+  };
+  // Most scenes have few, and partitioning takes as much memory again as what it works on.
+  auto end = scene->solids.end();
+  while (end != scene->solids.begin() && !unbounded(*std::prev(end))) --end;
+  std::stable_partition(scene->solids.begin(), end, unbounded);
 }
 
 void SceneBuilder::State::note_atmosphere() {

@@ -35,14 +35,17 @@ std::size_t TextureTable::KeyHash::operator()(const Key& key) const {
 }
 
 std::uint32_t TextureTable::index_of(const TexturePtr& texture, const Transform& to_world) {
-  const Transform place = is_plain(*texture) ? Transform() : to_world;
-  const auto [found, is_new] =
-      places_.try_emplace({texture.get(), place.matrix()}, static_cast<std::uint32_t>(entries_.size()));
-  if (is_new) {
-    entries_.push_back({texture, place.inverse()});
-    kinds_.push_back(surface_kind(*texture));
-  }
+  if (const auto known = plain_.find(texture.get()); known != plain_.end()) return known->second;
+  if (is_plain(*texture)) return plain_[texture.get()] = enter(texture, Transform());
+  const auto [found, is_new] = patterned_.try_emplace({texture.get(), to_world.matrix()}, 0u);
+  if (is_new) found->second = enter(texture, to_world);
   return found->second;
+}
+
+std::uint32_t TextureTable::enter(const TexturePtr& texture, const Transform& to_world) {
+  entries_.push_back({texture, to_world.inverse()});
+  kinds_.push_back(surface_kind(*texture));
+  return static_cast<std::uint32_t>(entries_.size() - 1);
 }
 
 }  // namespace firstlight::render

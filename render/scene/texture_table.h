@@ -21,6 +21,8 @@ class TextureTable {
   std::vector<PlacedTexture> take() { return std::move(entries_); }
 
  private:
+  std::uint32_t enter(const TexturePtr& texture, const Transform& to_world);
+
   struct Key {
     const Texture* texture;
     Mat4 to_world;
@@ -33,7 +35,8 @@ class TextureTable {
 
   std::vector<PlacedTexture> entries_;
   std::vector<SurfaceKind> kinds_;
-  std::unordered_map<Key, std::uint32_t, KeyHash> places_;
+  std::unordered_map<const Texture*, std::uint32_t> plain_;
+  std::unordered_map<Key, std::uint32_t, KeyHash> patterned_;
 };
 
 }  // namespace firstlight::render
