@@ -37,6 +37,11 @@ Numbers fitted(Numbers value, std::uint8_t terms) {
 
 template <class Operation>
 Numbers combine(Numbers left, Numbers right, Operation operation) {
+  if (left.size == 1 && right.size == 1) {  // most of them
+    left.values[0] = operation(left.values[0], right.values[0]);
+    left.is_color = false;
+    return left;
+  }
   promote(left, right.size);
   promote(right, left.size);
   for (std::size_t i = 0; i < left.size; ++i) left.values[i] = operation(left.values[i], right.values[i]);
@@ -114,7 +119,7 @@ Numbers parse_operand_alone(Interpreter& in, std::uint8_t terms) {
     case TokenKind::identifier: {
       const Value* value = in.peek_value();
       if (value == nullptr) break;
-      if (const auto* numbers = std::get_if<Numbers>(value)) {
+      if (const auto* numbers = std::get_if<Numbers>(value)) {  // behind a `+`, or from a macro
         const Numbers result = fitted(*numbers, terms);
         in.take();
         return result;
@@ -161,11 +166,20 @@ Numbers parse_operand_alone(Interpreter& in, std::uint8_t terms) {
   in.fail(token.location, "expected a numeric expression, found " + in.describe_next());
 }
 
+// What the name that is next stands for; null when it is no number or vector.
+const Numbers* numbers_of_name(Interpreter& in) {
+  const Value* const value = in.peek_value();
+  return value != nullptr ? std::get_if<Numbers>(value) : nullptr;
+}
+
 Numbers parse_operand(Interpreter& in, std::uint8_t terms) {
   Numbers result;
   if (const Token& token = in.peek(); token.kind == TokenKind::number) {
     result.values[0] = token.number;
     promote(result, terms);
+    in.take();
+  } else if (const auto* numbers = numbers_of_name(in)) {
+    result = fitted(*numbers, terms);
     in.take();
   } else {
     const Interpreter::Release release(in);

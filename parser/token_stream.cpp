@@ -16,13 +16,9 @@ constexpr std::size_t kMostDiagnostics = 10'000;  // kept of one scene; a loop m
 
 }  // namespace
 
-TokenStream::Nesting::Nesting(TokenStream& stream) : stream_(stream) {
-  if (stream_.nesting_ >= kDeepestExpression) {
-    stream_.fail(stream_.raw_next().location,
-                 "expressions, declarations or macro arguments are nested too deeply here (limit " +
-                     std::to_string(kDeepestExpression) + ")");
-  }
-  ++stream_.nesting_;
+void TokenStream::fail_nesting() {
+  fail(raw_next().location, "expressions, declarations or macro arguments are nested too deeply here (limit " +
+                                std::to_string(kDeepestExpression) + ")");
 }
 
 // --- tokens ---------------------------------------------------------------------------------------------------------
@@ -106,16 +102,6 @@ void TokenStream::unsettle() {
   settled_ = false;
   pending_ = false;
   frames_.back().position = next_index_;
-}
-
-const Token& TokenStream::take() {
-  const Token& token = peek();
-  settled_ = false;
-  pending_ = false;
-  last_ = &token;
-  if (++taken_ % kTokensBetweenLooks == 0) look_around();
-  count(token.keyword);
-  return token;
 }
 
 std::map<std::string, std::uint64_t> TokenStream::keyword_counts() const {

@@ -38,7 +38,15 @@ class TokenStream {
     if (!settled_ || (pending_ && !is_held())) settle();
     return *next_;
   }
-  const Token& take();
+  const Token& take() {
+    const Token& token = peek();
+    settled_ = false;
+    pending_ = false;
+    last_ = &token;
+    if (++taken_ % kTokensBetweenLooks == 0) look_around();
+    count(token.keyword);
+    return token;
+  }
   /// What the name that peek() gives is declared as, or the array's element it picks; null for any other token.
   const Value* peek_value() { return peek().kind == TokenKind::identifier ? next_value_ : nullptr; }
   /// The place of that value and the scope of the name. Pre: peek_value().
@@ -84,7 +92,10 @@ class TokenStream {
   /// One level of expressions; fails beyond kDeepestExpression.
   class Nesting {
    public:
-    explicit Nesting(TokenStream& stream);
+    explicit Nesting(TokenStream& stream) : stream_(stream) {
+      if (stream_.nesting_ >= kDeepestExpression) stream_.fail_nesting();
+      ++stream_.nesting_;
+    }
     ~Nesting() { --stream_.nesting_; }
     Nesting(const Nesting&) = delete;
     Nesting& operator=(const Nesting&) = delete;
@@ -181,6 +192,7 @@ class TokenStream {
  private:
   static constexpr std::uint64_t kTokensBetweenLooks = 1u << 12;
 
+  [[noreturn]] void fail_nesting();
   void warn_of_deprecated(const Token& name);
   void note_statement(std::uint32_t position) {
     if (nesting_ == 0 && blocks_.empty()) statement_ = {frames_.size(), position};

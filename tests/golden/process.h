@@ -13,8 +13,8 @@ struct ProcessResult {
   bool timed_out = false;  ///< it was stopped at the time limit
   double seconds = 0;
   long peak_kilobytes = 0;  ///< of memory, of the program itself
-  std::string out;  ///< standard output
-  std::string err;  ///< standard error
+  std::string out;          ///< standard output
+  std::string err;          ///< standard error
 
   bool succeeded() const { return exit_code == 0; }
   /// One line for a test's message: "exit code 1 after 0.2 s", "signal 11 (Segmentation fault) after ...".

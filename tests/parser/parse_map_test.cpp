@@ -155,7 +155,8 @@ TEST(ParseImage, PatternsAndBumpsOfImagesTakeTheNumbersAsTheyAre) {
   EXPECT_EQ(image.part, render::ImageUse::Part::alpha);
   EXPECT_EQ(image.source.gamma, render::ImageSource::Gamma::none);
   EXPECT_EQ(image.interpolation, render::ImageUse::Interpolation::bicubic);
-  const auto normal = normal_of("bump_map { tga " + file.quoted() + " gamma 1.5 bump_size 3 use_color use_colour map_type 2 }");
+  const auto normal =
+      normal_of("bump_map { tga " + file.quoted() + " gamma 1.5 bump_size 3 use_color use_colour map_type 2 }");
   EXPECT_EQ(normal.amount, 3.0);
   EXPECT_EQ(normal.pattern.kind, PatternKind::bump_map);
   EXPECT_EQ(parameters<render::ImageParameters>(normal.pattern).image->source.gamma_exponent, 1.5);

@@ -42,7 +42,8 @@ inline Painting random_shapes(unsigned seed, int width, int height) {
 /// A colour of its own at each place.
 inline Painting noise(unsigned seed) {
   return [seed](double x, double y) {
-    std::minstd_rand random(seed + static_cast<unsigned>(std::llround(x * 4096) * 7919 + std::llround(y * 4096) * 104729));
+    std::minstd_rand random(seed +
+                            static_cast<unsigned>(std::llround(x * 4096) * 7919 + std::llround(y * 4096) * 104729));
     const auto channel = [&random] { return static_cast<float>(random() % 1000) / 1000.0f; };
     const float r = channel();
     const float g = channel();
