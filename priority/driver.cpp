@@ -25,7 +25,7 @@ std::string reason_of(const std::exception& exception) {
 // The whole life of a worker thread. No exception leaves it.
 void work(Frame& frame, Shared& shared, const TraceOptions& options, std::size_t number, render::RayCounts& counts) {
   try {
-    render::Stepper stepper(frame.context());
+    render::Stepper stepper(frame.context(), frame.surfaces());
     if (options.scheme == nullptr) {
       trace_recursively(frame, stepper, shared.queue);
     } else {

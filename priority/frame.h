@@ -13,6 +13,7 @@
 #include <chrono>
 #include <condition_variable>
 #include <cstdint>
+#include <memory>
 #include <mutex>
 #include <optional>
 #include <span>
@@ -27,11 +28,14 @@ class Frame {
   Frame(const render::TraceContext& context, render::Film& film, const TraceOptions& options);
 
   const render::TraceContext& context() const { return context_; }
+  const std::shared_ptr<const render::SurfaceTable>& surfaces() const { return surfaces_; }
   PrimaryOrder& primaries() { return primaries_; }
 
   /// To be called when the light of a batch of primary rays is on the film.
   void lit(const PrimaryOrder::Batch& batch);
   void add(std::span<const render::Contribution> light);
+  /// Light will be added to the task's sample soon.
+  void expect_light(const render::RayTask& task) const { film_.fetch(task.sample); }
   /// A worker has traced `counts` so far, of which it has `reported` some before; they become equal.
   void traced(const render::RayCounts& counts, render::RayCounts& reported);
   void popped(Key key);
@@ -82,6 +86,7 @@ class Frame {
   void end_with(End end);
 
   const render::TraceContext context_;
+  const std::shared_ptr<const render::SurfaceTable> surfaces_;
   render::Film& film_;
   const TraceOptions options_;
   const render::RadianceBound bound_;

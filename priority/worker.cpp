@@ -90,6 +90,7 @@ void Worker::trace_block(const RayQueue::Popped& popped) {
       })) {
     shared_.inverted_rays.fetch_add(taken, std::memory_order_relaxed);
   }
+  for (const render::RayTask& task : popped.block->span()) frame_.expect_light(task);
   stepper_.step(popped.block->span());
   frame_.add(stepper_.light());
   scheme_->learn(popped.block->span(), stepper_.light(), stepper_.spawned());

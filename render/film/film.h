@@ -33,6 +33,8 @@ class Film {
   void expect(std::int64_t most, std::int64_t least);
   /// `alone`: no other thread adds meanwhile, so plain additions will do.
   void add(std::span<const Contribution> contributions, bool alone);
+  /// Asks the processor to have the sample's sums at hand, for they lie anywhere in memory.
+  void fetch(std::uint32_t sample) const { __builtin_prefetch(&samples_[sample], 1); }
   /// The light of the primary ray of `sample` is on the film.
   void mark_lit(std::uint32_t sample) {
     if (sample < lit_.size()) lit_[sample].store(1, std::memory_order_relaxed);

@@ -21,8 +21,6 @@ void clear_amounts(LayerColumns& layer, std::size_t count) {
   }
 }
 
-double positive(double amount) { return amount > 0.0 ? amount : 0.0; }
-
 std::uint32_t mixed(std::uint32_t path, std::uint32_t branch) {
   std::uint32_t h = path * 0x9e3779b1u + branch + 1u;
   h ^= h >> 15;
@@ -33,8 +31,7 @@ std::uint32_t mixed(std::uint32_t path, std::uint32_t branch) {
 }  // namespace
 
 void Stepper::meet(const RayTask& task, const Ray& ray, const Hit& hit, Contribution& sum) {
-  const Scene& scene = context_.scene;
-  const Part& part = scene.parts[hit.part];
+  const Part& part = context_.scene.parts[hit.part];
   const Vec3 point = ray.at(hit.depth);
   Vec3 normal = hit.shape->normal(point, {hit.depth, hit.shape, hit.part, hit.face});
   const bool from_inside = normal.dot(ray.direction) > 0.0;
@@ -52,66 +49,66 @@ void Stepper::meet(const RayTask& task, const Ray& ray, const Hit& hit, Contribu
   Surface& surface = surfaces_.emplace_back(Surface{.task = &task,
                                                     .part = &part,
                                                     .sum = &sum,
-                                                    .direction = ray.direction,
-                                                    .point = point,
-                                                    .normal = normal,
                                                     .depth = hit.depth,
                                                     .level = task.level + (continued ? 0 : 1),
                                                     .filter = Rgb(1.0f),
-                                                    .first_layer = layers_.size(),
-                                                    .layer_count = 0,
+                                                    .first_mirror = mirrors_.size(),
+                                                    .mirror_count = 0,
                                                     .open_record = kNoRecord});
-  meet_layers(surface, scene.textures[texture]);
+  meet_layers(surface, i, texture);
 }
 
-void Stepper::meet_layers(Surface& surface, const PlacedTexture& texture) {
-  const Settings& settings = context_.scene.settings;
-  const Vec3 local = texture.to_texture.is_identity() ? surface.point : texture.to_texture.point(surface.point);
+void Stepper::meet_layers(Surface& surface, std::size_t hit, std::uint32_t texture) {
   HitBlock& block = *block_;
-  const std::size_t hit = block.size - 1;
+  const double bailout = context_.scene.settings.adc_bailout;
   const Rgb weight = surface.task->radiance.weight();
-  Rgb filter(1.0f);
   double share = 1.0;
   Rgb own_light(0.0f);
-  for (const TextureLayer& layer : texture.texture->layers) {
-    if (share <= settings.adc_bailout) break;
-    const FilteredColor pigment = color_at(layer.pigment, local);
-    const Finish& finish = layer.finish;
-    // Before 3.7 a tinted layer kept more of its own light. [POV-Ray 3.7: language version below 370]
-    const double opacity = settings.language_version < 370
-                               ? 1.0 - (pigment.filter * max_component(pigment.rgb) + pigment.transmit)
-                               : 1.0 - pigment.filter - pigment.transmit;
-    const std::size_t k = surface.layer_count++;
+  std::uint32_t k = 0;
+  for (const SurfaceLayer& layer : table_->layers(texture)) {
+    if (share <= bailout) break;
+    LayerColor at_point;
+    if (!layer.is_plain) {
+      const Transform& to_texture = context_.scene.textures[texture].to_texture;
+      const Vec3 point = block.point.vector(hit);
+      const Vec3 local = to_texture.is_identity() ? point : to_texture.point(point);
+      at_point = table_->color(layer, color_at(layer.source->pigment, local));
+    }
+    const LayerColor& color = layer.is_plain ? layer.color : at_point;
     if (k == block.layer_count) {
       if (k == block.layers.size()) block.layers.emplace_back();
       clear_amounts(block.layers[k], block.capacity);
       ++block.layer_count;
     }
     LayerColumns& columns = block.layers[k];
-    columns.color.set(hit, pigment.rgb);
-    columns.share.set(hit, weight * filter);
-    columns.diffuse[hit] = positive(finish.diffuse) * opacity;
-    columns.diffuse_back[hit] = positive(finish.diffuse_back) * opacity;
-    block.lit_from_behind |= finish.diffuse_back != 0.0;
-    columns.brilliance[hit] = finish.brilliance;
-    columns.phong[hit] = finish.phong;
-    columns.phong_size[hit] = finish.phong_size;
-    columns.specular[hit] = finish.specular;
-    columns.specular_exponent[hit] = finish.roughness_exponent;
-    columns.metallic[hit] = finish.metallic;
+    columns.color.set(hit, color.rgb);
+    columns.share.set(hit, weight * surface.filter);
+    columns.diffuse[hit] = layer.diffuse * color.opacity;
+    columns.diffuse_back[hit] = layer.diffuse_back * color.opacity;
+    block.lit_from_behind |= layer.diffuse_back != 0.0;
+    columns.brilliance[hit] = layer.brilliance;
+    columns.phong[hit] = layer.phong;
+    columns.phong_size[hit] = layer.phong_size;
+    columns.specular[hit] = layer.specular;
+    columns.specular_exponent[hit] = layer.specular_exponent;
+    columns.metallic[hit] = layer.metallic;
+    own_light += surface.filter * color.own_light;
 
-    Layer& shaded = layers_.emplace_back(Layer{&finish, Rgb(0.0f), surface.task->radiance.adc_weight * share});
-    shaded.reflection = reflectivity(surface, finish, pigment.rgb, shaded.adc_weight);
-    own_light += filter * pigment.rgb * (finish.ambient * settings.ambient_light + finish.emission) *
-                 static_cast<float>(opacity);
-    filter *= pigment.passed();
-    if (finish.conserve_energy) {
-      const Rgb kept = Rgb(1.0f) - shaded.reflection;
-      filter *= Rgb(std::min(1.0f, kept.x), std::min(1.0f, kept.y), std::min(1.0f, kept.z));
+    Rgb passed = color.passed;
+    if (layer.reflects) {
+      double adc_weight = surface.task->radiance.adc_weight * share;
+      const Rgb reflection = reflectivity(surface, hit, layer, color.rgb, adc_weight);
+      mirrors_.push_back({&layer, reflection, adc_weight, k});
+      ++surface.mirror_count;
+      if (layer.source->finish.conserve_energy) {
+        const Rgb kept = Rgb(1.0f) - reflection;
+        passed *= Rgb(std::min(1.0f, kept.x), std::min(1.0f, kept.y), std::min(1.0f, kept.z));
+      }
     }
-    share = std::min(1.0, static_cast<double>(std::abs(grey(filter))));
+    surface.filter *= passed;
+    share = std::min(1.0, static_cast<double>(std::abs(grey(surface.filter))));
+    ++k;
   }
-  surface.filter = filter;
   block.own_light.set(hit, weight * own_light);
 }
 
@@ -132,40 +129,45 @@ void Stepper::shade() {
     surface.sum->light += {block.sum.of[0][i], block.sum.of[1][i], block.sum.of[2][i]};
     if (surface.level >= settings.max_trace_level) continue;
     const double share = std::min(1.0, static_cast<double>(std::abs(grey(surface.filter))));
-    if (share > settings.adc_bailout && spawn_transmission(surface)) continue;
-    spawn_reflections(surface, std::bit_cast<PackedDirection>(block.mirrored[i]));
+    if (share > settings.adc_bailout && spawn_transmission(i)) continue;
+    spawn_reflections(i);
   }
 }
 
 void Stepper::spawn_feelers(std::uint32_t first_light, std::size_t light_count) {
   for (std::size_t i = 0; i < surfaces_.size(); ++i) {
-    Surface& surface = surfaces_[i];
-    std::array<PackedRgb, kLightsAtOnce> at_stake{};
     std::uint32_t which = 0;
     std::size_t count = 0;
     for (std::size_t l = 0; l < light_count; ++l) {
-      const std::uint64_t bits = block_->light[l][i];
-      at_stake[count] = PackedRgb::from_bits(bits);
-      which |= static_cast<std::uint32_t>(bits != 0) << l;
-      count += bits != 0;
+      const bool shines = block_->light[l][i] != 0;
+      which |= static_cast<std::uint32_t>(shines) << l;
+      count += shines;
     }
     if (count == 0) continue;
-    if (count <= RayTask::kMostFeelers && surface.open_record == kNoRecord) {
-      surface.open_record = spawned_.size();
-      RayTask& record = spawned_.emplace_back(child_of(surface, RayKind::shadow));
-      const auto first = static_cast<std::uint32_t>(std::countr_zero(which));
-      record.path = (first_light + first) | which >> first >> 1 << RayTask::kFirstLightBits;
-      std::copy_n(at_stake.begin(), RayTask::kMostFeelers, record.light_at_stake.begin());
-      surface.sum->outstanding += block_->at_stake[i];
+    Surface& surface = surfaces_[i];
+    if (count > RayTask::kMostFeelers || surface.open_record != kNoRecord) {
+      for (; which != 0; which &= which - 1) {
+        const auto l = static_cast<std::uint32_t>(std::countr_zero(which));
+        add_feeler(i, first_light + l, PackedRgb::from_bits(block_->light[l][i]));
+      }
       continue;
     }
-    for (std::size_t f = 0; f < count; ++f, which &= which - 1) {
-      add_feeler(surface, first_light + static_cast<std::uint32_t>(std::countr_zero(which)), at_stake[f]);
+    surface.open_record = spawned_.size();
+    RayTask& record = spawned_.emplace_back();
+    begin_child(record, i, RayKind::shadow);
+    const auto first = static_cast<std::uint32_t>(std::countr_zero(which));
+    record.path = (first_light + first) | which >> first >> 1 << RayTask::kFirstLightBits;
+    for (std::size_t slot = 0; slot < RayTask::kMostFeelers; ++slot, which &= which - 1) {
+      record.light_at_stake[slot] =
+          which == 0 ? PackedRgb()
+                     : PackedRgb::from_bits(block_->light[static_cast<std::size_t>(std::countr_zero(which))][i]);
     }
+    surface.sum->outstanding += block_->at_stake[i];
   }
 }
 
-void Stepper::add_feeler(Surface& surface, std::uint32_t light, PackedRgb at_stake) {
+void Stepper::add_feeler(std::size_t hit, std::uint32_t light, PackedRgb at_stake) {
+  Surface& surface = surfaces_[hit];
   if (surface.open_record != kNoRecord) {
     RayTask& record = spawned_[surface.open_record];
     const std::int64_t before = bound_.at_stake(record);
@@ -175,30 +177,42 @@ void Stepper::add_feeler(Surface& surface, std::uint32_t light, PackedRgb at_sta
     }
   }
   surface.open_record = spawned_.size();
-  spawned_.push_back(child_of(surface, RayKind::shadow));
-  spawned_.back().set_feeler(light, at_stake);
-  surface.sum->outstanding += bound_.at_stake(spawned_.back());
+  RayTask& record = spawned_.emplace_back();
+  begin_child(record, hit, RayKind::shadow);
+  record.light_at_stake = {};
+  record.set_feeler(light, at_stake);
+  surface.sum->outstanding += bound_.at_stake(record);
 }
 
-RayTask Stepper::child_of(const Surface& surface, RayKind kind) const {
-  RayTask child;
-  child.origin = surface.point;
+// In place: a record that is put together elsewhere and copied in wider pieces waits for its own parts.
+void Stepper::begin_child(RayTask& child, std::size_t hit, RayKind kind) const {
+  const Surface& surface = surfaces_[hit];
+  child.origin = block_->point.vector(hit);
   child.sample = surface.task->sample;
   child.medium = surface.task->medium;
   child.kind = kind;
   child.level = static_cast<std::uint8_t>(std::min(surface.level, 255));
   child.flags = surface.task->flags & RayTask::kReflected;
   child.object = static_cast<std::uint16_t>(std::min<std::uint32_t>(surface.part->object, RayTask::kNoObject));
-  return child;
 }
 
-Rgb Stepper::reflectivity(const Surface& surface, const Finish& finish, const Rgb& color, double& adc_weight) const {
-  const float strongest = std::max(max_component(finish.reflection_max), max_component(finish.reflection_min));
-  if (is_black(finish.reflection_max) && is_black(finish.reflection_min)) {
-    adc_weight *= strongest;
-    return Rgb(0.0f);
+void Stepper::end_ray(const Surface& surface) {
+  const RayTask& ray = spawned_.back();
+  if (is_black(ray.radiance.weight()) || !is_worth_tracing(context_.scene.settings, ray)) {
+    spawned_.pop_back();
+  } else {
+    surface.sum->outstanding += bound_.at_stake(ray);
   }
-  const double cosine = -surface.direction.dot(surface.normal);
+}
+
+Rgb Stepper::reflectivity(const Surface& surface, std::size_t hit, const SurfaceLayer& layer, const Rgb& color,
+                          double& adc_weight) const {
+  if (layer.is_even_mirror) {
+    adc_weight *= layer.strongest;
+    return layer.reflection;
+  }
+  const Finish& finish = layer.source->finish;
+  const double cosine = steepness(hit);
   Rgb reflected;
   if (finish.reflection_fresnel) {
     // Unpolarised light: 1/2 ((g-c)/(g+c))^2 (1 + ((c(g+c)-1)/(c(g-c)+1))^2), g^2 = n^2 + c^2 - 1.
@@ -215,7 +229,7 @@ Rgb Stepper::reflectivity(const Surface& surface, const Finish& finish, const Rg
     }
     adc_weight *= max_component(reflected);
   } else {
-    adc_weight *= strongest;
+    adc_weight *= layer.strongest;
     const double grazing = 1.0 - cosine;
     const double fraction = std::abs(finish.reflection_falloff - 1.0) > kNegligible
                                 ? std::pow(grazing, finish.reflection_falloff)
@@ -240,26 +254,30 @@ double Stepper::relative_ior(const Surface& surface) const {
   return (media.depth(medium) == 1 ? scene.settings.atmosphere_ior : around) / ior;
 }
 
-void Stepper::spawn_reflections(const Surface& surface, PackedDirection mirrored) {
-  for (std::uint32_t i = 0; i < surface.layer_count; ++i) {
-    const Layer& layer = layers_[surface.first_layer + i];
-    if (is_black(layer.reflection)) continue;
-    RayTask child = child_of(surface, RayKind::reflection);
-    child.radiance.direction = mirrored;
-    child.radiance.set_weight(surface.task->radiance.weight() * layer.reflection);
-    child.radiance.adc_weight = static_cast<float>(layer.adc_weight);
+void Stepper::spawn_reflections(std::size_t hit) {
+  const Surface& surface = surfaces_[hit];
+  for (const Mirror& mirror : std::span(mirrors_).subspan(surface.first_mirror, surface.mirror_count)) {
+    if (is_black(mirror.reflection)) continue;
+    RayTask& child = spawned_.emplace_back();
+    begin_child(child, hit, RayKind::reflection);
+    child.radiance.direction = std::bit_cast<PackedDirection>(block_->mirrored[hit]);
+    child.radiance.set_weight(surface.task->radiance.weight() * mirror.reflection);
+    child.radiance.adc_weight = static_cast<float>(mirror.adc_weight);
     child.flags |= RayTask::kReflected;
-    child.path = mixed(surface.task->path, 0x10000u + i);
-    if (!is_worth_tracing(context_.scene.settings, child)) continue;
-    if (layer.finish->reflection_exponent != 1.0) {
-      add_sealed(surface, child, child.radiance.weight(), layer.finish->reflection_exponent);
-    } else {
-      spawn(surface, child);
+    child.path = mixed(surface.task->path, 0x10000u + mirror.number);
+    const double exponent = mirror.layer->source->finish.reflection_exponent;
+    if (exponent == 1.0) {
+      end_ray(surface);
+      continue;
     }
+    const RayTask root = child;
+    spawned_.pop_back();
+    if (is_worth_tracing(context_.scene.settings, root)) add_sealed(surface, root, exponent);
   }
 }
 
-bool Stepper::spawn_transmission(const Surface& surface) {
+bool Stepper::spawn_transmission(std::size_t hit) {
+  const Surface& surface = surfaces_[hit];
   const Scene& scene = context_.scene;
   MediumTable& media = context_.media;
   const Interior& interior = scene.interiors[surface.part->interior];
@@ -267,7 +285,8 @@ bool Stepper::spawn_transmission(const Surface& surface) {
   const std::uint32_t around = surface.task->medium;
 
   // Nested matter counts as outside of what surrounds it; of overlapping matter, the one met last fills the overlap.
-  RayTask child = child_of(surface, RayKind::transmission);
+  RayTask& child = spawned_.emplace_back();
+  begin_child(child, hit, RayKind::transmission);
   double ior = 1.0;  // of the side the ray comes from, relative to the side it goes to
   if (around == MediumTable::kOutside) {
     child.medium = media.entered(around, own);
@@ -291,28 +310,29 @@ bool Stepper::spawn_transmission(const Surface& surface) {
   child.radiance.adc_weight = surface.task->radiance.adc_weight * max_magnitude(surface.filter);
   child.path = mixed(surface.task->path, 0x20000u);
 
+  const Vec3 direction = block_->direction.vector(hit);
   bool totally_reflected = false;
   if (std::abs(ior - 1.0) < kNegligible) {
-    child.radiance.direction = PackedDirection(surface.direction);
+    child.radiance.direction = PackedDirection(direction);
     child.flags |= RayTask::kContinued;
   } else {
     // Heckbert's form of Snell's law: T = ior I + (ior c - sqrt(1 + ior^2 (c^2 - 1))) N.
-    const double cosine = -surface.direction.dot(surface.normal);
+    const Vec3 normal = block_->normal.vector(hit);
+    const double cosine = steepness(hit);
     const double root = 1.0 + ior * ior * (cosine * cosine - 1.0);
     totally_reflected = root < 0.0;
     if (totally_reflected) {
       child.kind = RayKind::reflection;
       child.flags |= RayTask::kReflected;
       child.medium = around;
-      child.radiance.direction = PackedDirection(surface.direction + surface.normal * (2.0 * cosine));
+      child.radiance.direction = PackedDirection(direction + normal * (2.0 * cosine));
     } else {
-      child.radiance.direction =
-          PackedDirection(surface.direction * ior + surface.normal * (ior * cosine - std::sqrt(root)));
+      child.radiance.direction = PackedDirection(direction * ior + normal * (ior * cosine - std::sqrt(root)));
     }
   }
   child.radiance.set_weight(surface.task->radiance.weight() * passed *
                             (totally_reflected ? Rgb(1.0f) : surface.filter));
-  if (is_worth_tracing(scene.settings, child)) spawn(surface, child);
+  end_ray(surface);
   return totally_reflected;
 }
 

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <bit>
 #include <cmath>
+#include <utility>
 
 namespace firstlight::render {
 namespace {
@@ -29,8 +30,9 @@ bool is_worth_tracing(const Settings& settings, const RayTask& task) {
   return task.level < settings.max_trace_level && !(task.radiance.adc_weight < settings.adc_bailout);
 }
 
-Stepper::Stepper(const TraceContext& context)
+Stepper::Stepper(const TraceContext& context, std::shared_ptr<const SurfaceTable> surfaces)
     : context_(context),
+      table_(std::move(surfaces)),
       bound_(context.scene),
       has_transparent_casters_(std::any_of(context.scene.parts.begin(), context.scene.parts.end(),
                                            [](const Part& part) { return !part.opaque; })),
@@ -40,6 +42,8 @@ Stepper::Stepper(const TraceContext& context)
   for (const Light& light : context.scene.lights) {
     light_places_.push_back({light.position.x, light.position.y, light.position.z, 0.0});
   }
+  rays_->min_depth.at.fill(kNearestHit);
+  rays_->max_depth.at.fill(kFarthestHit);
 }
 
 void Stepper::step(std::span<const RayTask> tasks) {
@@ -82,8 +86,6 @@ void Stepper::step_radiance(std::span<const RayTask> tasks, std::span<const Ray>
     counts_.of(task.kind)++;
     block.origin.set(i, task.origin);
     packed_directions_[i] = std::bit_cast<std::int64_t>(task.radiance.direction);
-    block.min_depth[i] = kNearestHit;
-    block.max_depth[i] = kFarthestHit;
     block.hidden_bit[i] = hidden_bit(task);
   }
   if (rays.empty()) {
@@ -99,7 +101,7 @@ void Stepper::step_radiance(std::span<const RayTask> tasks, std::span<const Ray>
     __builtin_prefetch(&context_.scene.parts[hits_[i].part]);
   }
   surfaces_.clear();
-  layers_.clear();
+  mirrors_.clear();
   block_->begin(tasks.size());
   for (std::size_t i = 0; i < tasks.size(); ++i) {
     const RayTask& task = tasks[i];
@@ -186,13 +188,8 @@ Rgb Stepper::passing_light(std::uint32_t medium, Ray ray, double distance) const
   return passed;
 }
 
-void Stepper::spawn(const Surface& surface, const RayTask& task) {
-  if (is_black(task.radiance.weight())) return;
-  spawned_.push_back(task);
-  surface.sum->outstanding += bound_.at_stake(task);
-}
-
-void Stepper::add_sealed(const Surface& surface, RayTask root, const Rgb& weight, double exponent) {
+void Stepper::add_sealed(const Surface& surface, RayTask root, double exponent) {
+  const Rgb weight = root.radiance.weight();
   root.radiance.set_weight(Rgb(1.0f));
   const Rgb color = trace_sealed(root);
   const auto power = [exponent](float c) { return c > 0.0f ? static_cast<float>(std::pow(c, exponent)) : 0.0f; };
@@ -200,7 +197,7 @@ void Stepper::add_sealed(const Surface& surface, RayTask root, const Rgb& weight
 }
 
 Rgb Stepper::trace_sealed(const RayTask& root) {
-  if (!sealed_) sealed_ = std::make_unique<Stepper>(context_);
+  if (!sealed_) sealed_ = std::make_unique<Stepper>(context_, table_);
   const RayCounts before = sealed_->counts_;
   FixedRgb sum;
   std::vector<RayTask> waiting{root};

@@ -7,6 +7,7 @@
 #include "render/trace/medium_table.h"
 #include "render/trace/radiance_bound.h"
 #include "render/trace/ray_task.h"
+#include "render/trace/surface_table.h"
 
 #include <array>
 #include <cstdint>
@@ -44,7 +45,9 @@ struct TraceContext {
 /// Threads   One Stepper a thread.
 class Stepper {
  public:
-  explicit Stepper(const TraceContext& context);
+  explicit Stepper(const TraceContext& context) : Stepper(context, std::make_shared<SurfaceTable>(context.scene)) {}
+  /// `surfaces`: of the scene, shared between steppers.
+  Stepper(const TraceContext& context, std::shared_ptr<const SurfaceTable> surfaces);
 
   /// Traces `tasks`, replacing light() and spawned() by what comes of them. Pre: `tasks` is not spawned() itself.
   void step(std::span<const RayTask> tasks);
@@ -57,25 +60,23 @@ class Stepper {
   const RayCounts& counts() const { return counts_; }
 
  private:
-  /// A layer of the texture that was met, as far as it matters to reflections.
-  struct Layer {
-    const Finish* finish;
+  /// A layer of a texture that was met and reflects.
+  struct Mirror {
+    const SurfaceLayer* layer;
     Rgb reflection;
     double adc_weight;
+    std::uint32_t number;  ///< of the layer, from the top
   };
-  /// A hit with all that shading reads again and again.
+  /// A hit, as far as rays that it sends on need it; the HitBlock has the rest, under the same number.
   struct Surface {
     const RayTask* task;
     const Part* part;
     Contribution* sum;  ///< of the task
-    Vec3 direction;     ///< of the ray that met it
-    Vec3 point;
-    Vec3 normal;  ///< unit, towards the ray's origin
     double depth;
     int level;   ///< of everything spawned here
     Rgb filter;  ///< what all layers let through
-    std::size_t first_layer;
-    std::size_t layer_count;
+    std::size_t first_mirror;
+    std::size_t mirror_count;
     std::size_t open_record;  ///< of feelers, that may take more; kNoRecord: none
   };
   static constexpr std::size_t kNoRecord = ~std::size_t{0};
@@ -89,28 +90,34 @@ class Stepper {
   /// Takes back what transparent things keep of the light of feelers that nothing opaque blocks.
   void let_through(std::span<const RayTask> tasks, std::span<Contribution> light);
 
-  /// Adds the surface to surfaces_ and block_, unless it takes the light and gives none.
+  /// Adds the hit to surfaces_ and block_, unless it takes the light and gives none.
   void meet(const RayTask& task, const Ray& ray, const Hit& hit, Contribution& sum);
-  void meet_layers(Surface& surface, const PlacedTexture& texture);
+  void meet_layers(Surface& surface, std::size_t hit, std::uint32_t texture);
   /// Lights all that was met, and lets it send on its rays.
   void shade();
   void spawn_feelers(std::uint32_t first_light, std::size_t light_count);
-  void add_feeler(Surface& surface, std::uint32_t light, PackedRgb at_stake);
+  void add_feeler(std::size_t hit, std::uint32_t light, PackedRgb at_stake);
   /// Returns true where the ray cannot leave and is reflected instead (total internal reflection).
-  bool spawn_transmission(const Surface& surface);
-  void spawn_reflections(const Surface& surface, PackedDirection mirrored);
-  Rgb reflectivity(const Surface& surface, const Finish& finish, const Rgb& color, double& adc_weight) const;
+  bool spawn_transmission(std::size_t hit);
+  void spawn_reflections(std::size_t hit);
+  Rgb reflectivity(const Surface& surface, std::size_t hit, const SurfaceLayer& layer, const Rgb& color,
+                   double& adc_weight) const;
   double relative_ior(const Surface& surface) const;
+  /// Minus the cosine of the ray to the normal.
+  double steepness(std::size_t hit) const { return -block_->direction.vector(hit).dot(block_->normal.vector(hit)); }
 
-  RayTask child_of(const Surface& surface, RayKind kind) const;
-  void spawn(const Surface& surface, const RayTask& task);
+  /// What all that leaves a hit has in common.
+  void begin_child(RayTask& child, std::size_t hit, RayKind kind) const;
+  /// Adds what the last of spawned_ may bring, or takes it away if that is nothing.
+  void end_ray(const Surface& surface);
   /// Adds weight * colour(root) ^ exponent: not a sum over rays, so the subtree is evaluated here, depth first.
-  void add_sealed(const Surface& surface, RayTask root, const Rgb& weight, double exponent);
+  void add_sealed(const Surface& surface, RayTask root, double exponent);
   Rgb trace_sealed(const RayTask& root);
   /// Share of the light that passes all that is between the feeler's origin and `distance`.
   Rgb passing_light(std::uint32_t medium, Ray ray, double distance) const;
 
   TraceContext context_;
+  std::shared_ptr<const SurfaceTable> table_;
   RadianceBound bound_;
   bool has_transparent_casters_ = false;
   std::vector<LightPlace> light_places_;
@@ -118,7 +125,7 @@ class Stepper {
   Column<std::int64_t> packed_directions_;
   std::array<Hit, kRaysAtOnce> hits_;
   std::vector<Surface> surfaces_;
-  std::vector<Layer> layers_;
+  std::vector<Mirror> mirrors_;
   std::unique_ptr<HitBlock> block_;
   std::unique_ptr<FeelerBlock> feelers_;
   std::vector<Contribution> light_;
