@@ -36,7 +36,7 @@ void BlockedShares::learn(std::size_t cell, const RayTask& feelers, const FixedR
   std::size_t count = 0;
   double all = 0.0;
   feelers.for_each_feeler([&](std::uint32_t index, const PackedRgb& packed) {
-    places[count] = begin + index % lights_;
+    places[count] = begin + place_of(index);
     at_stake[count] = FixedRgb::from(packed);
     all += size_of(at_stake[count++]);
   });

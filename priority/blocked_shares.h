@@ -25,7 +25,7 @@ class BlockedShares {
     return (cell * kDepths + (task.level > 1 ? 1 : 0)) * lights_;
   }
   float share(std::size_t base, std::uint32_t light) const {
-    return shares_[base + light % lights_].load(std::memory_order_relaxed);
+    return shares_[base + place_of(light)].load(std::memory_order_relaxed);
   }
   /// `light`: what the record of feelers changed.
   void learn(std::size_t cell, const render::RayTask& feelers, const render::FixedRgb& light);
@@ -34,6 +34,7 @@ class BlockedShares {
   static constexpr std::size_t kDepths = 2;
   static constexpr std::size_t kMostLights = 8;  // further ones share the numbers of these
 
+  std::size_t place_of(std::uint32_t light) const { return light < lights_ ? light : light % lights_; }
   void learn(std::size_t place, float blocked);
 
   std::size_t lights_;

@@ -5,6 +5,7 @@
 #include "priority/schemes.h"
 
 #include <algorithm>
+#include <array>
 #include <cstddef>
 #include <cstdint>
 
@@ -75,9 +76,10 @@ class Contribution final : public Scheme {
     float sum = 0.0f;
     const std::size_t base = blocked_.base(cell, task);
     task.for_each_feeler([&](std::uint32_t light, const PackedRgb& at_stake) {
-      sum += mean_magnitude(at_stake.unpack()) * blocked_.share(base, light);
+      sum += at_stake.sum_of_magnitudes() * blocked_.share(base, light);
     });
-    return sum / static_cast<float>(task.ray_count());
+    static constexpr std::array<float, 1 + RayTask::kMostFeelers> kMeanOfChannels{0.0f, 1.0f / 3, 1.0f / 6, 1.0f / 9};
+    return sum * kMeanOfChannels[static_cast<std::size_t>(task.ray_count())];
   }
 
   Cells cells_;

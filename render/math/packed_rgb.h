@@ -6,6 +6,7 @@
 #include <bit>
 #include <cmath>
 #include <cstdint>
+#include <cstdlib>
 
 namespace firstlight::render {
 
@@ -38,6 +39,13 @@ class PackedRgb {
     const float step = power_of_two(exponent + 1 - (kMantissaBits - 1));
     return {static_cast<float>(mantissa(0)) * step, static_cast<float>(mantissa(1)) * step,
             static_cast<float>(mantissa(2)) * step};
+  }
+
+  /// |r| + |g| + |b|. Pre: not black.
+  float sum_of_magnitudes() const {
+    const std::int64_t sum = std::abs(mantissa(0)) + std::abs(mantissa(1)) + std::abs(mantissa(2));
+    return static_cast<float>(static_cast<std::int32_t>(sum)) *
+           power_of_two(biased_exponent() + 1 - (kMantissaBits - 1));
   }
 
   /// Component = mantissa * 2^(biased_exponent() - kExponentOfOne). Pre: index < 3.
