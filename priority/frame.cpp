@@ -90,7 +90,8 @@ void Frame::add(std::span<const render::Contribution> light) {
 }
 
 void Frame::traced(const render::RayCounts& counts, render::RayCounts& reported) {
-  std::uint64_t total = 0;
+  const std::uint64_t more_clear = counts.clear - reported.clear;
+  std::uint64_t total = 0 - (clear_.fetch_add(more_clear, std::memory_order_relaxed) + more_clear);
   for (std::size_t kind = 0; kind < traced_.size(); ++kind) {
     const std::uint64_t more = counts.by_kind[kind] - reported.by_kind[kind];
     total += traced_[kind].fetch_add(more, std::memory_order_relaxed) + more;
@@ -145,7 +146,7 @@ void Frame::hold_checkpoint(const Progress& progress, std::unique_lock<std::mute
   lock.lock();
   rested_ += Clock::now() - begin;
   const std::uint64_t every = options_.checkpoint_rays;
-  next_checkpoint_ = (progress.traced.total() / every + 1) * every;
+  next_checkpoint_ = (progress.traced.traced() / every + 1) * every;
   checkpoint_due_ = false;
   go_on_.notify_all();
 }
@@ -216,6 +217,7 @@ Progress Frame::progress(const RayQueue& queue, const BlockPool& pool) const {
   for (std::size_t kind = 0; kind < traced_.size(); ++kind) {
     progress.traced.by_kind[kind] = traced_[kind].load(std::memory_order_relaxed);
   }
+  progress.traced.clear = clear_.load(std::memory_order_relaxed);
   progress.rays_waiting = queue.waiting();
   progress.queue_bytes = pool.bytes();
   progress.key = key_.load(std::memory_order_relaxed);

@@ -12,7 +12,7 @@ namespace firstlight::priority {
 struct Progress {
   std::uint32_t tiles_done = 0;  ///< whose primary rays are on the film
   std::uint32_t tiles = 0;
-  render::RayCounts traced;
+  render::RayCounts traced;  ///< or known to meet nothing
   std::uint64_t rays_waiting = 0;
   std::size_t queue_bytes = 0;
   Key key = 0;                     ///< popped last

@@ -82,10 +82,10 @@ std::vector<CsvFile> csv_files(const Study& study) {
   const auto curve_file = [&](const std::string& name, const std::string& value, const auto& number) {
     files.push_back(file(study, name, "scheme,seconds,share_of_rays," + value,
                          [&](std::string& text, const SchemeStudy& scheme, const std::string& quoted) {
-                           const auto all = static_cast<double>(scheme.moments.back().traced.total());
+                           const auto all = static_cast<double>(scheme.moments.back().traced.traced());
                            for (const Moment& moment : scheme.moments) {
                              text += fmt::format("{},{:.5f},{:.5f},{:.6f}\n", quoted, moment.seconds,
-                                                 static_cast<double>(moment.traced.total()) / all, number(moment));
+                                                 static_cast<double>(moment.traced.traced()) / all, number(moment));
                            }
                          }));
   };

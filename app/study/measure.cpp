@@ -77,7 +77,7 @@ class Measurement {
     render::Film film(plan_.width, plan_.height);
     const auto statistics = trace(0, film, nullptr, 0);
     if (!statistics) return;
-    rays_ = statistics->rays.total();
+    rays_ = statistics->rays.traced();
     finished_.emplace(film.snapshot(), plan_.width, plan_.height, render::file_encoding(plan_.scene->settings));
     study_.black_flip = finished_->flip_of_black();
   }

@@ -73,9 +73,9 @@ std::string queue_figures(const Study& study) {
   Plot bound = plot_of_all(study, "What can still change", "share of the rays", "mean over the pixels",
                            [](const SchemeStudy& scheme) {
                              std::vector<CurvePoint> points;
-                             const auto all = static_cast<double>(scheme.moments.back().traced.total());
+                             const auto all = static_cast<double>(scheme.moments.back().traced.traced());
                              for (const Moment& moment : scheme.moments) {
-                               points.push_back({static_cast<double>(moment.traced.total()) / all, moment.bound});
+                               points.push_back({static_cast<double>(moment.traced.traced()) / all, moment.bound});
                              }
                              return points;
                            });
@@ -140,10 +140,12 @@ std::string heading(const Study& study) {
   return fmt::format(
       "<h1>The order of the rays: {}</h1>\n<p class=\"soft\">{} x {} pixels, {} light source{}, {} levels, {} "
       "thread{}. "
-      "{} rays: {} primary, {} reflection, {} transmission, {} shadow.<br><code>{}</code></p>\n",
+      "{} rays: {} primary, {} reflection, {} transmission, {} shadow. {} are traced, the others are feelers whose way "
+      "is "
+      "known to be clear.<br><code>{}</code></p>\n",
       escape_html(study.scene), study.width, study.height, study.lights, study.lights == 1 ? "" : "s", study.levels,
       study.threads, study.threads == 1 ? "" : "s", rays.total(), rays.of(RayKind::primary),
-      rays.of(RayKind::reflection), rays.of(RayKind::transmission), rays.of(RayKind::shadow),
+      rays.of(RayKind::reflection), rays.of(RayKind::transmission), rays.of(RayKind::shadow), rays.traced(),
       escape_html(study.command));
 }
 

@@ -6,8 +6,8 @@ namespace firstlight::app {
 namespace {
 
 double share(const SchemeStudy& scheme, const Moment& moment) {
-  const std::uint64_t all = scheme.moments.back().traced.total();
-  return all == 0 ? 0.0 : static_cast<double>(moment.traced.total()) / static_cast<double>(all);
+  const std::uint64_t all = scheme.moments.back().traced.traced();
+  return all == 0 ? 0.0 : static_cast<double>(moment.traced.traced()) / static_cast<double>(all);
 }
 
 /// y of each moment, behind `first` at 0.

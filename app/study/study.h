@@ -24,7 +24,7 @@ struct Moment {
 
 /// What the picture looked like, as a small PNG.
 struct MomentPicture {
-  double share = 0.0;  ///< of the rays
+  double share = 0.0;  ///< of the rays that are traced
   double seconds = 0.0;
   double difference = 0.0;
   std::string png;
@@ -33,7 +33,7 @@ struct MomentPicture {
 /// When something was reached first.
 struct Reached {
   double seconds = 0.0;
-  double share = 0.0;  ///< of the rays
+  double share = 0.0;  ///< of the rays that are traced
 };
 
 /// One way to order the rays, measured.

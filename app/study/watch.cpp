@@ -54,7 +54,7 @@ void Watcher::checkpoint(const priority::Progress& progress) {
   finished_.compare(picture, moment);
   if (!progress.remaining_is_bound) bound_is_proved_ = false;
 
-  const double share = static_cast<double>(progress.traced.total()) / rays_;
+  const double share = static_cast<double>(progress.traced.traced()) / rays_;
   if (keep_ && pictures_.size() < kPictureShares.size() && share >= kPictureShares[pictures_.size()]) {
     pictures_.push_back({share, moment.seconds, moment.difference, keep_(share, picture)});
   }

@@ -42,7 +42,7 @@ class Watcher final : public priority::Observer {
   /// Returns the bytes of a small PNG.
   using KeepPicture = std::function<std::string(double share, std::span<const render::Rgb> colors)>;
 
-  /// `rays`: as many as the whole picture is expected to take.
+  /// `rays`: as many as are traced for the whole picture.
   Watcher(const render::Film& film, const FinishedPicture& finished, std::uint64_t rays, KeepPicture keep);
 
   void checkpoint(const priority::Progress& progress) override;

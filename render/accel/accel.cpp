@@ -1,5 +1,6 @@
 #include "render/accel/accel.h"
 
+#include "render/accel/clear_directions.h"
 #include "render/accel/leaves.h"
 
 #include <algorithm>
@@ -28,8 +29,9 @@ void for_each_block(std::span<const RayQuery> queries, const Visit& visit) {
 }  // namespace
 
 struct Accel::Impl {
-  explicit Impl(const Scene& scene) : leaves(scene) {}
+  explicit Impl(const Scene& scene) : leaves(scene), clear_directions(leaves, scene.lights) {}
   Leaves leaves;
+  ClearDirections clear_directions;
 };
 
 Accel::Accel(const Scene& scene) : impl_(std::make_unique<Impl>(scene)) {}
@@ -40,6 +42,15 @@ Accel& Accel::operator=(Accel&&) noexcept = default;
 void Accel::closest(const RayBlock& rays, std::span<Hit> hits) const { find_closest(impl_->leaves, rays, hits); }
 
 std::uint64_t Accel::occluded(const RayBlock& rays) const { return find_occluded(impl_->leaves, rays); }
+
+void Accel::clear(const Columns3<double>& points, std::size_t count, std::size_t first, std::span<const Light> lights,
+                  double gap, std::span<std::uint64_t> clear) const {
+  if (impl_->clear_directions.known()) {
+    find_clear(impl_->leaves, impl_->clear_directions, points, count, first, lights, gap, clear.data());
+  } else {
+    std::ranges::fill(clear, 0);
+  }
+}
 
 void Accel::closest(std::span<const RayQuery> queries, std::span<Hit> hits) const {
   for_each_block(queries,

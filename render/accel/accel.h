@@ -48,6 +48,12 @@ class Accel {
   /// Bit i is set when any opaque part lies on ray i.
   std::uint64_t occluded(const RayBlock& rays) const;
 
+  /// Which feelers certainly meet nothing that casts a shadow, as far as that is quickly told: bit i of clear[l] is set
+  /// when that of points i to lights[l] does, which ignores what is closer than `gap` to either end. `first` is the
+  /// number of the first of the lights. Pre: clear has room for lights.size; count is at most kRaysAtOnce.
+  void clear(const Columns3<double>& points, std::size_t count, std::size_t first, std::span<const Light> lights,
+             double gap, std::span<std::uint64_t> clear) const;
+
   /// hits[i] answers queries[i]. Pre: equal sizes.
   void closest(std::span<const RayQuery> queries, std::span<Hit> hits) const;
   /// blocked[i] is 1 when any opaque part lies on queries[i], else 0. Pre: equal sizes.

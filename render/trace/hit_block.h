@@ -45,17 +45,21 @@ struct HitBlock {
 
   void begin(std::size_t most_hits) {
     size = 0;
+    clear_feelers = 0;
     lit_from_behind = false;
     capacity = most_hits;
     layer_count = 0;
   }
 
+  std::array<std::uint64_t, kLightsAtOnce> clear{};  ///< bits of the hits that each light surely reaches
+
   // What light_hits() finds:
   Column<std::int64_t> mirrored;  ///< packed direction of the mirrored ray: u low, v high
   Columns3<std::int64_t> sum;     ///< light for the film, FixedRgb
   Column<std::int64_t> at_stake;  ///< RadianceBound::at_stake() of the record
-  std::array<Column<std::uint64_t>, kLightsAtOnce>
-      light;  ///< of each light: PackedRgb of what its feeler may take back
+  /// Of each light: PackedRgb of what its feeler may take back; 0 where there is none to trace.
+  std::array<Column<std::uint64_t>, kLightsAtOnce> light;
+  std::size_t clear_feelers = 0;  ///< those that need not be traced, for their way is clear
 };
 
 /// Starts the sums with the hits' own light, and mirrors the rays.
@@ -68,43 +72,31 @@ void light_hits(HitBlock& block, std::span<const Light> lights);
 /// Where a light is; the fourth number is unused.
 using LightPlace = std::array<double, 4>;
 
-/// Feelers of records side by side: of each record the first, the second or the third.
+/// Feelers side by side. Plain data.
 struct FeelerBlock {
-  std::size_t size = 0;
-  Columns3<double> origin;
-  struct Slot {
-    Column<std::int64_t> light;      ///< index; any valid one where there is no feeler
-    Column<std::uint64_t> at_stake;  ///< PackedRgb; 0 where there is no feeler
-    RayBlock rays;                   ///< filled by aim_feelers()
-    std::uint64_t blocked = 0;       ///< bits of the feelers that something opaque blocks
-  };
-  std::array<Slot, RayTask::kMostFeelers> slots;
-  std::size_t slot_count = 0;
+  RayBlock rays;  ///< add() sets the origins, aim_feelers() the rest
+  Column<std::int64_t> light;
+  Column<std::uint64_t> at_stake;  ///< PackedRgb
 
-  void begin(std::size_t records) {
-    size = records;
-    slot_count = 0;
-  }
-  void add(std::size_t record, std::size_t slot, std::uint32_t light, PackedRgb at_stake) {
-    if (slot == slot_count) {
-      std::fill_n(slots[slot].at_stake.at.begin(), size, 0);
-      ++slot_count;
-    }
-    slots[slot].light[record] = light;
-    slots[slot].at_stake[record] = at_stake.bits();
+  std::size_t size() const { return rays.size; }
+  std::size_t room() const { return kRaysAtOnce - rays.size; }
+  void add(const Vec3& origin, std::uint32_t to_light, PackedRgb held) {
+    const std::size_t i = rays.size++;
+    rays.origin.set(i, origin);
+    light[i] = to_light;
+    at_stake[i] = held.bits();
   }
 
-  // What take_back() finds:
-  Columns3<std::int64_t> sum;     ///< light of the blocked feelers, FixedRgb
-  Column<std::int64_t> at_stake;  ///< RadianceBound::at_stake() of the record
+  // What weigh_feelers() finds:
+  Columns3<std::int64_t> steps;  ///< light at stake, FixedRgb
 };
 
 /// POV-Ray 3.7: a feeler ignores what is closer than this to either of its ends, in scene units.
 constexpr double kShadowGap = 1e-3;
-/// Fills the rays of all slots; they meet nothing where there is no feeler.
+/// Aims the feelers at their lights.
 void aim_feelers(FeelerBlock& block, std::span<const LightPlace> lights);
-/// Adds up what blocked feelers take back, and what all of them might have.
-void take_back(FeelerBlock& block);
+/// Unpacks what they hold.
+void weigh_feelers(FeelerBlock& block);
 
 /// Unpacks directions, u in the low half and v in the high half of each number.
 void unpack_directions(const Column<std::int64_t>& packed, std::size_t count, Columns3<double>& directions);

@@ -179,6 +179,12 @@ HWY_INLINE Vec mirrored_at(const HitBlock& block, std::size_t i) {
   return direction - normal * hn::Mul(hn::Set(D(), 2.0), dot(direction, normal));
 }
 
+/// The lanes whose bit is set, from bit 0 on.
+HWY_INLINE auto lanes_of(std::uint64_t bits) {
+  const U d;
+  return hn::Ne(hn::And(hn::Set(d, bits), hn::Shl(hn::Set(d, 1), hn::Iota(d, 0))), hn::Zero(d));
+}
+
 /// RadianceBound::at_stake() of records of feelers.
 struct AtStake {
   Triple<hn::VFromD<I>> sum;
@@ -188,8 +194,9 @@ struct AtStake {
   /// `light` is 0 where there is no feeler.
   HWY_INLINE void add(hn::VFromD<U> light, const Triple<hn::VFromD<I>>& steps) {
     const I di;
-    sum = sum + Triple<hn::VFromD<I>>{hn::Abs(steps.x), hn::Abs(steps.y), hn::Abs(steps.z)};
     const auto there = hn::RebindMask(di, hn::Ne(light, hn::Zero(U())));
+    const auto size = [&](auto v) HWY_ATTR { return hn::IfThenElseZero(there, hn::Abs(v)); };
+    sum = sum + Triple<hn::VFromD<I>>{size(steps.x), size(steps.y), size(steps.z)};
     feelers = hn::Add(feelers, hn::IfThenElseZero(there, hn::Set(di, 1)));
   }
   HWY_INLINE hn::VFromD<I> most() const { return hn::Add(feelers, hn::Max(sum.x, hn::Max(sum.y, sum.z))); }
@@ -244,7 +251,11 @@ void light_hits_of(HitBlock& block, std::span<const Light> lights) {
         const Mantissas<D> mantissas = mantissas_of(d, color);
         const auto steps = fixed(d, mantissas);
         sum = sum + steps;
-        const auto bits = packed(d, mantissas);
+        const auto all_bits = packed(d, mantissas);
+        const auto is_clear = lanes_of(block.clear[l] >> i);
+        const auto is_feeler = hn::And(hn::Ne(all_bits, hn::Zero(U())), hn::RebindMask(U(), lit.used));
+        block.clear_feelers += hn::CountTrue(U(), hn::And(is_feeler, is_clear));
+        const auto bits = hn::IfThenElseZero(hn::Not(is_clear), all_bits);
         at_stake.add(bits, steps);
         store(bits, block.light[l], i);
       }
@@ -256,48 +267,28 @@ void light_hits_of(HitBlock& block, std::span<const Light> lights) {
 
 void aim_feelers_at(FeelerBlock& block, std::span<const LightPlace> lights) {
   const D d;
+  const I di;
   const double* places = lights.front().data();
-  for (std::size_t s = 0; s < block.slot_count; ++s) {
-    FeelerBlock::Slot& slot = block.slots[s];
-    slot.rays.size = block.size;
-    for (std::size_t i = 0; i < block.size; i += hn::Lanes(d)) {
-      const Vec origin = load(block.origin, i);
-      const auto place = hn::ShiftLeft<2>(load(slot.light, i));
-      const Vec position{hn::GatherIndex(d, places, place), hn::GatherIndex(d, places + 1, place),
-                         hn::GatherIndex(d, places + 2, place)};
-      const Vec way = position - origin;
-      const V distance = hn::Sqrt(dot(way, way));
-      const auto aimed = hn::RebindMask(d, hn::Ne(load(slot.at_stake, i), hn::Zero(U())));
-      const V gap = hn::Set(d, kShadowGap);
-      store(origin, slot.rays.origin, i);
-      store(way * inverse_or_zero(distance), slot.rays.direction, i);
-      store(gap, slot.rays.min_depth, i);
-      store(hn::IfThenElseZero(aimed, hn::Sub(distance, gap)), slot.rays.max_depth, i);
-      store(hn::Set(I(), kHiddenFromShadow), slot.rays.hidden_bit, i);
-    }
+  RayBlock& rays = block.rays;
+  for (std::size_t i = 0; i < rays.size; i += hn::Lanes(d)) {
+    const auto used = hn::RebindMask(di, hn::FirstN(d, rays.size - i));
+    const auto place = hn::ShiftLeft<2>(hn::IfThenElseZero(used, load(block.light, i)));
+    const Vec position{hn::GatherIndex(d, places, place), hn::GatherIndex(d, places + 1, place),
+                       hn::GatherIndex(d, places + 2, place)};
+    const Vec way = position - load(rays.origin, i);
+    const V distance = hn::Sqrt(dot(way, way));
+    const V gap = hn::Set(d, kShadowGap);
+    store(way * inverse_or_zero(distance), rays.direction, i);
+    store(gap, rays.min_depth, i);
+    store(hn::Sub(distance, gap), rays.max_depth, i);
+    store(hn::Set(di, kHiddenFromShadow), rays.hidden_bit, i);
   }
 }
 
-void take_back_of(FeelerBlock& block) {
+void weigh_feelers_of(FeelerBlock& block) {
   const D d;
-  const I di;
-  for (std::size_t i = 0; i < block.size; i += hn::Lanes(d)) {
-    const auto zero = hn::Zero(di);
-    const auto lane_bits = hn::Shl(hn::Set(di, 1), hn::Iota(di, 0));
-    Triple<hn::VFromD<I>> sum{zero, zero, zero};
-    AtStake at_stake;
-    for (std::size_t s = 0; s < block.slot_count; ++s) {
-      const FeelerBlock::Slot& slot = block.slots[s];
-      const auto packed_light = load(slot.at_stake, i);
-      const auto steps = fixed(d, unpacked(d, packed_light));
-      const auto bits = hn::Set(di, static_cast<std::int64_t>(slot.blocked >> i));
-      const auto blocked = hn::Ne(hn::And(bits, lane_bits), zero);
-      at_stake.add(packed_light, steps);
-      sum = sum - Triple<hn::VFromD<I>>{hn::IfThenElseZero(blocked, steps.x), hn::IfThenElseZero(blocked, steps.y),
-                                        hn::IfThenElseZero(blocked, steps.z)};
-    }
-    store(sum, block.sum, i);
-    store(at_stake.most(), block.at_stake, i);
+  for (std::size_t i = 0; i < block.size(); i += hn::Lanes(d)) {
+    store(fixed(d, unpacked(d, load(block.at_stake, i))), block.steps, i);
   }
 }
 
@@ -316,7 +307,7 @@ namespace firstlight::render {
 HWY_EXPORT(begin_light_of);
 HWY_EXPORT(light_hits_of);
 HWY_EXPORT(aim_feelers_at);
-HWY_EXPORT(take_back_of);
+HWY_EXPORT(weigh_feelers_of);
 HWY_EXPORT(unpack_directions_of);
 
 void begin_light(HitBlock& block) { HWY_DYNAMIC_DISPATCH(begin_light_of)(block); }
@@ -327,7 +318,7 @@ void aim_feelers(FeelerBlock& block, std::span<const LightPlace> lights) {
   HWY_DYNAMIC_DISPATCH(aim_feelers_at)(block, lights);
 }
 
-void take_back(FeelerBlock& block) { HWY_DYNAMIC_DISPATCH(take_back_of)(block); }
+void weigh_feelers(FeelerBlock& block) { HWY_DYNAMIC_DISPATCH(weigh_feelers_of)(block); }
 
 void unpack_directions(const Column<std::int64_t>& packed, std::size_t count, Columns3<double>& directions) {
   HWY_DYNAMIC_DISPATCH(unpack_directions_of)(packed, count, directions);

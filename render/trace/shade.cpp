@@ -119,10 +119,13 @@ void Stepper::shade() {
     const std::span<const Light> lights = context_.scene.lights;
     for (std::size_t first = 0; first < lights.size(); first += kLightsAtOnce) {
       const std::size_t count = std::min(kLightsAtOnce, lights.size() - first);
+      context_.accel.clear(block.point, block.size, first, lights.subspan(first, count), kShadowGap, block.clear);
       light_hits(block, lights.subspan(first, count));
       spawn_feelers(static_cast<std::uint32_t>(first), count);
     }
   }
+  counts_.of(RayKind::shadow) += block.clear_feelers;
+  counts_.clear += block.clear_feelers;
   const Settings& settings = context_.scene.settings;
   for (std::size_t i = 0; i < surfaces_.size(); ++i) {
     const Surface& surface = surfaces_[i];

@@ -23,6 +23,7 @@ std::uint8_t hidden_bit(const RayTask& task) {
 
 RayCounts& RayCounts::operator+=(const RayCounts& other) {
   for (std::size_t i = 0; i < by_kind.size(); ++i) by_kind[i] += other.by_kind[i];
+  clear += other.clear;
   return *this;
 }
 
@@ -51,7 +52,7 @@ void Stepper::step(std::span<const RayTask> tasks) {
   // Blocks from the queue hold one kind; whatever comes mixed is cut into runs.
   for (std::size_t first = 0; first < tasks.size();) {
     const bool shadow = tasks[first].kind == RayKind::shadow;
-    const std::size_t most = std::min(tasks.size() - first, kRaysAtOnce);
+    const std::size_t most = shadow ? tasks.size() - first : std::min(tasks.size() - first, kRaysAtOnce);
     std::size_t count = 1;
     while (count < most && (tasks[first + count].kind == RayKind::shadow) == shadow) ++count;
     const std::span<const RayTask> run = tasks.subspan(first, count);
@@ -117,40 +118,47 @@ void Stepper::step_radiance(std::span<const RayTask> tasks, std::span<const Ray>
 
 void Stepper::step_shadow(std::span<const RayTask> tasks, std::span<Contribution> light) {
   FeelerBlock& block = *feelers_;
-  block.begin(tasks.size());
-  std::size_t feelers = 0;
-  for (std::size_t i = 0; i < tasks.size(); ++i) {
-    const RayTask& task = tasks[i];
-    block.origin.set(i, task.origin);
-    std::size_t slot = 0;
-    task.for_each_feeler([&](std::uint32_t which, PackedRgb at_stake) { block.add(i, slot++, which, at_stake); });
-    feelers += slot;
+  for (std::size_t first = 0; first < tasks.size();) {
+    // As many records as fit whole.
+    block.rays.size = 0;
+    std::size_t end = first;
+    for (; end < tasks.size() && block.room() >= RayTask::kMostFeelers; ++end) {
+      const RayTask& task = tasks[end];
+      task.for_each_feeler([&](std::uint32_t to_light, PackedRgb held) { block.add(task.origin, to_light, held); });
+    }
+    counts_.of(RayKind::shadow) += block.size();
+    aim_feelers(block, light_places_);
+    const std::uint64_t blocked = context_.accel.occluded(block.rays);
+    weigh_feelers(block);
+    std::size_t feeler = 0;
+    for (; first < end; ++first) take_back(tasks[first], feeler, blocked, light[first]);
   }
-  counts_.of(RayKind::shadow) += feelers;
-  aim_feelers(block, light_places_);
-  for (std::size_t s = 0; s < block.slot_count; ++s) {
-    FeelerBlock::Slot& slot = block.slots[s];
-    slot.blocked = context_.accel.occluded(slot.rays);
-  }
-  take_back(block);
-  for (std::size_t i = 0; i < tasks.size(); ++i) {
-    light[i] = {tasks[i].sample, {block.sum.of[0][i], block.sum.of[1][i], block.sum.of[2][i]}, -block.at_stake[i]};
-  }
-  if (has_transparent_casters_) let_through(tasks, light);
 }
 
-void Stepper::let_through(std::span<const RayTask> tasks, std::span<Contribution> light) {
-  for (std::size_t s = 0; s < feelers_->slot_count; ++s) {
-    const FeelerBlock::Slot& slot = feelers_->slots[s];
-    for (std::size_t i = 0; i < tasks.size(); ++i) {
-      if (slot.at_stake[i] == 0 || (slot.blocked >> i & 1u) != 0) continue;
-      const Ray feeler{tasks[i].origin, slot.rays.direction.vector(i)};
-      const Rgb passed = passing_light(tasks[i].medium, feeler, slot.rays.max_depth[i] + kShadowGap);
-      if (passed == Rgb(1.0f)) continue;
-      const Rgb at_stake = PackedRgb::from_bits(slot.at_stake[i]).unpack();
-      light[i].light += FixedRgb::from(at_stake * (passed - Rgb(1.0f)));
+void Stepper::take_back(const RayTask& task, std::size_t& feeler, std::uint64_t blocked, Contribution& light) const {
+  FixedRgb taken;
+  FixedRgb at_stake;
+  const std::size_t end = feeler + static_cast<std::size_t>(task.ray_count());
+  const std::int64_t count = task.ray_count();
+  for (; feeler < end; ++feeler) {
+    const auto& steps = feelers_->steps.of;
+    const FixedRgb held{steps[0][feeler], steps[1][feeler], steps[2][feeler]};
+    at_stake += {std::abs(held.r), std::abs(held.g), std::abs(held.b)};
+    if ((blocked >> feeler & 1u) != 0) {
+      taken -= held;
+    } else if (has_transparent_casters_) {
+      taken += lost_light(task, feeler);
     }
   }
+  light = {task.sample, taken, -(count + at_stake.max_magnitude())};
+}
+
+FixedRgb Stepper::lost_light(const RayTask& task, std::size_t feeler) const {
+  const RayBlock& rays = feelers_->rays;
+  const Ray ray{task.origin, rays.direction.vector(feeler)};
+  const Rgb passed = passing_light(task.medium, ray, rays.max_depth[feeler] + kShadowGap);
+  if (passed == Rgb(1.0f)) return {};
+  return FixedRgb::from(PackedRgb::from_bits(feelers_->at_stake[feeler]).unpack() * (passed - Rgb(1.0f)));
 }
 
 Rgb Stepper::passing_light(std::uint32_t medium, Ray ray, double distance) const {
@@ -211,6 +219,7 @@ Rgb Stepper::trace_sealed(const RayTask& root) {
   for (std::size_t i = 0; i < counts_.by_kind.size(); ++i) {
     counts_.by_kind[i] += sealed_->counts_.by_kind[i] - before.by_kind[i];
   }
+  counts_.clear += sealed_->counts_.clear - before.clear;
   return sum.to_rgb();
 }
 

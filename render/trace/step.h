@@ -17,13 +17,15 @@
 
 namespace firstlight::render {
 
-/// Rays traced, by kind.
+/// Rays that are done, by kind.
 struct RayCounts {
   std::array<std::uint64_t, 4> by_kind{};  ///< indexed by RayKind
+  std::uint64_t clear = 0;                 ///< of the feelers: known to meet nothing, so they are not traced
 
   std::uint64_t& of(RayKind kind) { return by_kind[static_cast<std::size_t>(kind)]; }
   std::uint64_t of(RayKind kind) const { return by_kind[static_cast<std::size_t>(kind)]; }
   std::uint64_t total() const { return by_kind[0] + by_kind[1] + by_kind[2] + by_kind[3]; }
+  std::uint64_t traced() const { return total() - clear; }
   RayCounts& operator+=(const RayCounts& other);
 };
 
@@ -87,8 +89,11 @@ class Stepper {
   void step_radiance(std::span<const RayTask> tasks, std::span<const Ray> rays, std::span<Contribution> light);
   void step_shadow(std::span<const RayTask> tasks, std::span<Contribution> light);
 
-  /// Takes back what transparent things keep of the light of feelers that nothing opaque blocks.
-  void let_through(std::span<const RayTask> tasks, std::span<Contribution> light);
+  /// What the feelers of a record change, from number `feeler` of the block on; `blocked` are the bits of those that
+  /// something opaque blocks.
+  void take_back(const RayTask& task, std::size_t& feeler, std::uint64_t blocked, Contribution& light) const;
+  /// What transparent things keep of a feeler's light that nothing opaque blocks, as it is taken from the film.
+  FixedRgb lost_light(const RayTask& task, std::size_t feeler) const;
 
   /// Adds the hit to surfaces_ and block_, unless it takes the light and gives none.
   void meet(const RayTask& task, const Ray& ray, const Hit& hit, Contribution& sum);

@@ -1,10 +1,11 @@
 // How fast pictures converge in each order: renders a scene to its end, then once with each scheme, looking at the
-// picture after each per cent of the rays.
+// picture after each per cent of the rays that are traced.
 //
 //   convergence SCENE WIDTH HEIGHT SCHEME [SCHEME ...]
 //
 // Prints the area under the curve of the difference from the finished picture (1: black) over the share of rays traced,
-// and the shares of rays after which the difference stays below 5 % and 1 %; --curve prints the curves too.
+// and the shares of rays after which the difference stays below 5 % and 1 %; the same over seconds of tracing, whose
+// area is in seconds; --curve prints the curves too.
 #include "app/study/curve.h"
 #include "parser/function_text.h"
 #include "parser/parser.h"
@@ -37,15 +38,18 @@ struct Watcher final : priority::Observer {
 
   void checkpoint(const priority::Progress& progress) override {
     const std::vector<render::Rgb> picture = render::preview(film);
-    curve.push_back({static_cast<double>(progress.traced.total()) / rays, difference(picture)});
+    const double left = difference(picture);
+    curve.push_back({static_cast<double>(progress.traced.traced()) / rays, left});
+    in_time.push_back({progress.seconds, left});
     traced.push_back(progress.traced);
   }
 
   const render::Film& film;
   const render::RemainingDifference& difference;
   double rays;
-  std::vector<app::CurvePoint> curve{{0.0, 1.0}};
-  std::vector<render::RayCounts> traced{{}};  ///< at the points of the curve
+  std::vector<app::CurvePoint> curve{{0.0, 1.0}};    ///< over the share of rays
+  std::vector<app::CurvePoint> in_time{{0.0, 1.0}};  ///< over seconds of tracing
+  std::vector<render::RayCounts> traced{{}};         ///< at the points of the curve
 };
 
 [[noreturn]] void fail(const std::string& why) {
@@ -88,15 +92,18 @@ int main(int argc, char** argv) {
     const priority::TraceResult result = priority::trace({*loaded.scene, accel, media}, film, options);
     if (!result.complete()) fail("rendering ended early: " + result.error);
     finished = film.snapshot();
-    rays = static_cast<double>(result.statistics.rays.total());
+    rays = static_cast<double>(result.statistics.rays.traced());
     return result.statistics;
   };
-  render("contribution", [](const render::Film&, priority::TraceOptions&) {});
+  const render::RayCounts counts = render("contribution", [](const render::Film&, priority::TraceOptions&) {}).rays;
+  fmt::print("{} of {} rays are traced; the others are feelers whose way is known to be clear\n", counts.traced(),
+             counts.total());
   const std::vector<render::Rgb> reference = finished;
   const render::RemainingDifference difference(reference);
   const double all_rays = rays;
 
-  fmt::print("{:<40} {:>8} {:>6} {:>6} {:>12} {:>8}\n", "scheme", "area", "5 %", "1 %", "peak rays", "seconds");
+  fmt::print("{:<40} {:>8} {:>6} {:>6} {:>12} {:>8} {:>8} {:>8} {:>8}\n", "scheme", "area", "5 %", "1 %", "peak rays",
+             "seconds", "area, s", "5 %, s", "1 %, s");
   for (std::size_t i = 3; i < arguments.size(); ++i) {
     std::unique_ptr<Watcher> watcher;
     const auto statistics = render(arguments[i], [&](const render::Film& film, priority::TraceOptions& options) {
@@ -106,9 +113,12 @@ int main(int argc, char** argv) {
     });
     watcher->curve.push_back({1.0, 0.0});
     watcher->traced.push_back(statistics.rays);
-    fmt::print("{:<40} {:>8.4f} {:>6.3f} {:>6.3f} {:>12} {:>8.2f}\n", arguments[i], app::area_under(watcher->curve),
-               app::settles_below(watcher->curve, 0.05).value_or(1.0),
-               app::settles_below(watcher->curve, 0.01).value_or(1.0), statistics.peak_rays, statistics.seconds);
+    watcher->in_time.push_back({statistics.seconds, 0.0});
+    fmt::print("{:<40} {:>8.4f} {:>6.3f} {:>6.3f} {:>12} {:>8.2f} {:>8.4f} {:>8.3f} {:>8.3f}\n", arguments[i],
+               app::area_under(watcher->curve), app::settles_below(watcher->curve, 0.05).value_or(1.0),
+               app::settles_below(watcher->curve, 0.01).value_or(1.0), statistics.peak_rays, statistics.seconds,
+               app::area_under(watcher->in_time), app::settles_below(watcher->in_time, 0.05).value_or(0.0),
+               app::settles_below(watcher->in_time, 0.01).value_or(0.0));
     if (!wants_curve) continue;
     fmt::print("  share of rays, difference, share of primary, reflected, transmitted rays and of feelers\n");
     for (std::size_t p = 0; p < watcher->curve.size(); ++p) {

@@ -69,7 +69,7 @@ TEST(Driver, EverySchemeAndThreadCountEndsInTheSamePicture) {
 TEST(Driver, AQueueBudgetIsKeptAndThePictureIsTheSame) {
   MirrorRoom room(/*depth=*/2);
   const Rendered reference = render_with(room, "recursive", 1);
-  for (const std::size_t budget : {kSmallestQueueMemory, 4 * kSmallestQueueMemory, 20 * kSmallestQueueMemory}) {
+  for (const std::size_t budget : {kSmallestQueueMemory, 4 * kSmallestQueueMemory, 10 * kSmallestQueueMemory}) {
     TraceOptions options;
     options.queue_memory = budget;
     for (const char* scheme : {"contribution", "level"}) {

@@ -93,7 +93,7 @@ TEST(BlockPool, KeepsItsBudget) {
 
 TEST(BlockPool, GivesMemoryBackThatNobodyUses) {
   BlockPool pool;
-  constexpr int kBlocks = 3000;  // of several chunks
+  constexpr int kBlocks = 24000;  // of several chunks
   std::vector<Block*> blocks;
   for (int i = 0; i < kBlocks; ++i) blocks.push_back(pool.acquire());
   const std::size_t full = pool.reserved_bytes();
@@ -149,9 +149,9 @@ TEST(RayQueue, FullBlocksLeaveBeforeTheOthersOfTheirSlot) {
 
 TEST(RayQueue, JoinsHalfEmptyBlocksWithoutLosingARay) {
   Bench bench;
-  constexpr std::uint32_t kPart = 700;  // two fill a block and leave some over
+  constexpr std::uint32_t kPart = BlockPool::kLargestBlock * 2 / 3;  // two fill a block and leave some over
   for (std::uint32_t i = 0; i < 5; ++i) bench.queue->push(9, bench.block(kPart, i * kPart), kVersion);
-  EXPECT_EQ(bench.pool.bytes(), 4 * bench.pool.block_bytes()) << "3500 rays fit into four blocks";
+  EXPECT_EQ(bench.pool.bytes(), 4 * bench.pool.block_bytes()) << "five thirds of two blocks fit into four";
   std::vector<bool> seen(5 * kPart);
   for (auto popped = bench.queue->pop(); popped.block != nullptr; popped = bench.queue->pop()) {
     for (const RayTask& task : popped.block->span()) {

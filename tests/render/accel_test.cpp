@@ -371,5 +371,121 @@ TEST(Accel, RaysAndSolidsThatAreNoNumbersMeetNothingAndDoNoHarm) {
   }
 }
 
+// ---- Feelers that need not be traced
+// ---------------------------------------------------------------------------------
+
+constexpr double kGap = 1e-3;
+
+/// Whether anything that casts a shadow, opaque or not, lies between the point and the light, but for the gap at both
+/// ends.
+bool brute_shadowed(const Scene& scene, const Vec3& point, const Vec3& light) {
+  const Vec3 way = light - point;
+  const Ray ray{point, way.normalized()};
+  for (const Solid& solid : scene.solids) {
+    if ((solid.hidden_from & kHiddenFromShadow) != 0) continue;
+    std::vector<Crossing> all;
+    solid.crossings(ray, kHiddenFromShadow, all);
+    for (const Crossing& c : all) {
+      if (c.depth > kGap && c.depth < way.length() - kGap) return true;
+    }
+  }
+  return false;
+}
+
+/// Points on surfaces, where feelers begin, and anywhere.
+std::vector<Vec3> points_of(const Scene& scene, unsigned seed, int count) {
+  std::vector<Vec3> points;
+  for (const RayQuery& query : random_queries(seed, count)) {
+    const Hit hit = brute_closest(scene, query);
+    points.push_back(hit.part == kNoIndex ? query.ray.origin : query.ray.at(hit.depth));
+  }
+  return points;
+}
+
+struct Clear {
+  std::vector<std::vector<std::uint64_t>> bits;  ///< of each block of points, by light
+  explicit Clear(const Scene& scene, const std::vector<Vec3>& points) {
+    const Accel accel(scene);
+    for (std::size_t first = 0; first < points.size(); first += kRaysAtOnce) {
+      Columns3<double> block;
+      const std::size_t size = std::min(kRaysAtOnce, points.size() - first);
+      for (std::size_t i = 0; i < size; ++i) block.set(i, points[first + i]);
+      bits.emplace_back(scene.lights.size(), 0u);
+      accel.clear(block, size, 0, scene.lights, kGap, bits.back());
+    }
+  }
+  bool of(std::size_t point, std::size_t light) const {
+    return (bits[point / kRaysAtOnce][light] >> point % kRaysAtOnce & 1u) != 0;
+  }
+};
+
+void add_lights(Scene& scene, unsigned seed, int count) {
+  Dice dice(seed);
+  for (int l = 0; l < count; ++l) {
+    Light light;
+    light.position = dice.point(l % 2 == 0 ? 4.0 : 30.0);
+    scene.lights.push_back(light);
+  }
+}
+
+TEST(ClearFeelers, MeetNothingThatCastsAShadow) {
+  for (unsigned seed = 31; seed < 37; ++seed) {
+    Scene scene = seed % 2 == 0 ? spheres_and_planes(seed) : mixed_scene(seed, 30);
+    add_lights(scene, seed, 5);
+    const std::vector<Vec3> points = points_of(scene, seed, 1500);
+    const Clear clear(scene, points);
+    for (std::size_t i = 0; i < points.size(); ++i) {
+      for (std::size_t l = 0; l < scene.lights.size(); ++l) {
+        if (!clear.of(i, l)) continue;
+        ASSERT_FALSE(brute_shadowed(scene, points[i], scene.lights[l].position)) << "point " << i << ", light " << l;
+      }
+    }
+  }
+}
+
+TEST(ClearFeelers, AreNearlyAllThatHaveAClearWay) {
+  // A floor with a few balls far apart, and a light above: many feelers from the floor, few that a ball is near.
+  Scene scene;
+  add_solid(scene, solid_of(make_plane(Vec3(0, 1, 0), 0.0)));
+  for (int i = 0; i < 5; ++i) add_solid(scene, solid_of(make_sphere(Vec3(2.0 * i, 0.5, 0.0), 0.3)));
+  scene.lights.resize(1);
+  scene.lights[0].position = Vec3(0.0, 10.0, 0.0);
+  std::vector<Vec3> points;
+  Dice dice(41);
+  for (int i = 0; i < 2000; ++i) points.push_back({dice.between(-8.0, 8.0), 0.0, dice.between(-8.0, 8.0)});
+  const Clear clear(scene, points);
+  int open = 0;
+  int found = 0;
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    if (brute_shadowed(scene, points[i], scene.lights[0].position)) continue;
+    ++open;
+    found += clear.of(i, 0) ? 1 : 0;
+  }
+  EXPECT_GT(open, 1900);
+  EXPECT_GT(found, open * 98 / 100);
+}
+
+TEST(ClearFeelers, AreNoneWhereSomethingWithoutBoundsIsNoPlane) {
+  Scene scene;
+  add_solid(scene, combined(Kind::intersection,
+                            {solid_of(make_plane(Vec3(0, 1, 0), -50.0)), solid_of(make_plane(Vec3(1, 0, 0), -50.0))}));
+  add_lights(scene, 42, 2);
+  const std::vector<Vec3> points(64, Vec3(0.0));
+  const Clear clear(scene, points);
+  EXPECT_EQ(clear.bits[0], (std::vector<std::uint64_t>{0, 0}));
+}
+
+TEST(ClearFeelers, DoNotDependOnTheInstructionSet) {
+  Scene scene = spheres_and_planes(43);
+  add_lights(scene, 43, 8);
+  const std::vector<Vec3> points = points_of(scene, 44, 1000);
+  const Clear best(scene, points);
+  for (const std::int64_t target : hwy::SupportedAndGeneratedTargets()) {
+    hwy::GetChosenTarget().Update(target);
+    EXPECT_EQ(Clear(scene, points).bits, best.bits);
+  }
+  hwy::GetChosenTarget().Update(hwy::SupportedTargets());
+}
+
 }  // namespace
 }  // namespace firstlight::render

@@ -278,48 +278,42 @@ TEST(LightBlock, DirectionsArePackedAndUnpackedAsOneByOne) {
   });
 }
 
-TEST(FeelerBlock, FeelersAimAtTheirLightsAndTakeBackWhatTheyHold) {
+TEST(FeelerBlock, FeelersAimAtTheirLightsAndKnowWhatTheyHold) {
   Dice dice(6);
   std::vector<LightPlace> places;
   for (int l = 0; l < 20; ++l) {
     const Vec3 at = dice.point(9.0);
     places.push_back({at.x, at.y, at.z, 0.0});
   }
-  std::vector<RayTask> records(37);
-  for (RayTask& record : records) {
-    record.origin = dice.point(5.0);
-    std::uint32_t light = static_cast<std::uint32_t>(dice.below(10));
-    record.set_feeler(light, PackedRgb(dice.color()));
-    for (int more = dice.below(3); more > 0; --more) record.add_feeler(++light, PackedRgb(dice.color() * -0.5f));
+  for (const std::size_t count : {std::size_t{1}, std::size_t{37}, kRaysAtOnce}) {
+    std::vector<Vec3> origins(count);
+    std::vector<std::uint32_t> lights(count);
+    std::vector<PackedRgb> held(count);
+    for (std::size_t i = 0; i < count; ++i) {
+      origins[i] = dice.point(5.0);
+      lights[i] = static_cast<std::uint32_t>(dice.below(20));
+      held[i] = PackedRgb(dice.color() * static_cast<float>(dice.between(-1.0, 1.0)));
+    }
+    for_each_instruction_set([&] {
+      auto block = std::make_unique<FeelerBlock>();
+      for (std::size_t i = 0; i < count; ++i) block->add(origins[i], lights[i], held[i]);
+      // What stands behind the last feeler is anything.
+      if (count < kRaysAtOnce) block->light[count] = std::numeric_limits<std::int64_t>::max() / 8;
+      aim_feelers(*block, places);
+      weigh_feelers(*block);
+      ASSERT_EQ(block->size(), count);
+      for (std::size_t i = 0; i < count; ++i) {
+        const LightPlace& place = places[lights[i]];
+        const Vec3 way = Vec3(place[0], place[1], place[2]) - origins[i];
+        EXPECT_NEAR((block->rays.direction.vector(i) - way.normalized()).length(), 0.0, 1e-15);
+        EXPECT_EQ(block->rays.origin.vector(i), origins[i]);
+        EXPECT_EQ(block->rays.min_depth[i], kShadowGap);
+        EXPECT_DOUBLE_EQ(block->rays.max_depth[i], way.length() - kShadowGap);
+        EXPECT_EQ(FixedRgb::from(held[i]),
+                  (FixedRgb{block->steps.of[0][i], block->steps.of[1][i], block->steps.of[2][i]}));
+      }
+    });
   }
-  const RadianceBound bound(*SceneBuilder().build());
-  for_each_instruction_set([&] {
-    auto block = std::make_unique<FeelerBlock>();
-    block->begin(records.size());
-    for (std::size_t i = 0; i < records.size(); ++i) {
-      block->origin.set(i, records[i].origin);
-      std::size_t slot = 0;
-      records[i].for_each_feeler([&](std::uint32_t light, PackedRgb held) { block->add(i, slot++, light, held); });
-    }
-    aim_feelers(*block, places);
-    for (std::size_t s = 0; s < block->slot_count; ++s) block->slots[s].blocked = 0x123456789abcdef0u << s;
-    take_back(*block);
-    for (std::size_t i = 0; i < records.size(); ++i) {
-      FixedRgb expected;
-      std::size_t s = 0;
-      records[i].for_each_feeler([&](std::uint32_t light, PackedRgb held) {
-        const FeelerBlock::Slot& slot = block->slots[s++];
-        const Vec3 way = Vec3(places[light][0], places[light][1], places[light][2]) - records[i].origin;
-        EXPECT_NEAR((slot.rays.direction.vector(i) - way.normalized()).length(), 0.0, 1e-15);
-        EXPECT_EQ(slot.rays.origin.vector(i), records[i].origin);
-        EXPECT_DOUBLE_EQ(slot.rays.max_depth[i], way.length() - kShadowGap);
-        if ((slot.blocked >> i & 1u) != 0) expected -= FixedRgb::from(held);
-      });
-      for (; s < block->slot_count; ++s) EXPECT_LE(block->slots[s].rays.max_depth[i], kShadowGap);
-      EXPECT_EQ(expected, (FixedRgb{block->sum.of[0][i], block->sum.of[1][i], block->sum.of[2][i]}));
-      EXPECT_EQ(block->at_stake[i], bound.at_stake(records[i]));
-    }
-  });
 }
 
 }  // namespace

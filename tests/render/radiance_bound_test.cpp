@@ -227,7 +227,7 @@ TEST(RadianceBound, NoRayBringsMoreThanIsAtStake) {
   int known_scenes = 0;
   std::uint64_t rays = 0;
   for (const auto fancy : {Fancy::plausible, Fancy::clear_rows, Fancy::wild}) {
-    for (std::uint32_t seed = 1; seed <= 700; ++seed) {
+    for (std::uint32_t seed = 1; seed <= 750; ++seed) {
       RandomScene scene(seed, fancy);
       const RadianceBound bound(scene.scene());
       if (!bound.known()) continue;
