@@ -20,7 +20,7 @@ void nest(Reader& reader, const Token& word, std::uint32_t& depth, std::uint32_t
 }
 
 void absorb(render::PigmentMap& map, const render::Pigment& pigment) {
-  deepen(map, pigment.pattern.depth);
+  deepen(map, pigment.pattern->depth);
   map.translucent = map.translucent || lets_light_through(pigment);
   gather(pigment, map.unrendered);
 }

@@ -32,7 +32,7 @@ Members parse_members(Reader& reader, SceneContext& context, const Token& word) 
 }
 
 /// Adds `members`, given in the space around `object`, to one of its lists, which are kept in its own space.
-void append(Reader& reader, const Token& word, Object& object, std::shared_ptr<const Members>& list, Members members) {
+void append(Reader& reader, const Token& word, Object& object, render::ObjectList& list, Members members) {
   const render::Transform to_object = object.placement.inverse();
   auto grown = list ? std::make_shared<Members>(*list) : std::make_shared<Members>();
   for (Object& member : members) {
@@ -47,30 +47,32 @@ void append(Reader& reader, const Token& word, Object& object, std::shared_ptr<c
 
 void parse_bounded_by(Reader& reader, SceneContext& context, const Token& word, Object& object) {
   reader.open_block(word);
-  if (object.bounds_are_clips)
+  render::ObjectExtras& extras = object.extras.change();
+  if (extras.bounds_are_clips)
     reader.fail(word, "bounds cannot be added after 'bounded_by' and 'clipped_by' were made one");
   if (reader.next_is(Keyword::clipped_by)) {
     const Token at = reader.take();
-    if (object.bounded_by) reader.fail(at, "'clipped_by' cannot replace bounds that are there already");
-    object.bounded_by = object.clipped_by;
-    object.bounds_are_clips = object.clipped_by != nullptr;
+    if (extras.bounded_by) reader.fail(at, "'clipped_by' cannot replace bounds that are there already");
+    extras.bounded_by = extras.clipped_by;
+    extras.bounds_are_clips = extras.clipped_by != nullptr;
   } else {
-    append(reader, word, object, object.bounded_by, parse_members(reader, context, word));
+    append(reader, word, object, extras.bounded_by, parse_members(reader, context, word));
   }
   reader.close_block();
 }
 
 void parse_clipped_by(Reader& reader, SceneContext& context, const Token& word, Object& object) {
   reader.open_block(word);
-  if (object.bounds_are_clips)
+  render::ObjectExtras& extras = object.extras.change();
+  if (extras.bounds_are_clips)
     reader.fail(word, "clips cannot be added after 'bounded_by' and 'clipped_by' were made one");
   if (reader.next_is(Keyword::bounded_by)) {
     const Token at = reader.take();
-    if (object.clipped_by) reader.fail(at, "'bounded_by' cannot replace clips that are there already");
-    object.clipped_by = object.bounded_by;
-    object.bounds_are_clips = object.bounded_by != nullptr;
+    if (extras.clipped_by) reader.fail(at, "'bounded_by' cannot replace clips that are there already");
+    extras.clipped_by = extras.bounded_by;
+    extras.bounds_are_clips = extras.bounded_by != nullptr;
   } else {
-    append(reader, word, object, object.clipped_by, parse_members(reader, context, word));
+    append(reader, word, object, extras.clipped_by, parse_members(reader, context, word));
   }
   reader.close_block();
 }

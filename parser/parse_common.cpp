@@ -74,12 +74,12 @@ render::Vec3 finite(Reader& reader, const Token& at, const render::Vec3& value, 
 }
 
 double finite_number(Reader& reader, std::string_view what) {
-  const Token at = reader.peek();
+  const Token& at = reader.peek();
   return finite(reader, at, reader.number(), what);
 }
 
 render::Vec3 finite_vector(Reader& reader, std::string_view what) {
-  const Token at = reader.peek();
+  const Token& at = reader.peek();
   return finite(reader, at, reader.vector3(), what);
 }
 

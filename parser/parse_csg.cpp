@@ -64,8 +64,9 @@ Object parse_light_group(Reader& reader, SceneContext& context, const Token& wor
   reader.open_block(word);
   Object group;
   group.kind = Object::Kind::union_;
-  group.light_group = true;
-  group.unrendered.add(feature_use(render::Feature::light_group, word));
+  render::ObjectExtras& extras = group.extras.change();
+  extras.light_group = true;
+  extras.unrendered.add(feature_use(render::Feature::light_group, word));
   std::vector<Object> members;
   for (;;) {
     const Token at = reader.peek();
@@ -80,9 +81,9 @@ Object parse_light_group(Reader& reader, SceneContext& context, const Token& wor
     if (const auto transform = accept_transformation(reader)) {
       render::place(group, *transform);
     } else if (reader.accept(Keyword::global_lights)) {
-      group.global_lights = reader.optional_number(1.0) > 0.5;
+      extras.global_lights = reader.optional_number(1.0) > 0.5;
     } else if (reader.accept(Keyword::photons)) {
-      parse_object_photons(reader, next, group.photons);
+      parse_object_photons(reader, next, extras.photons);
     } else {
       break;
     }

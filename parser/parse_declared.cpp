@@ -95,7 +95,7 @@ std::optional<Value> parse_declarable(Reader& reader, SceneContext& context) {
       return shared(parse_finish(reader, word, context.default_texture->layers[0].finish));
     case Keyword::interior:
       reader.take();
-      return shared(parse_interior(reader, context, word, std::nullopt));
+      return shared(parse_interior(reader, context, word, render::Interior()));
     case Keyword::material: {
       reader.take();
       Material material;

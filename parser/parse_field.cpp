@@ -58,7 +58,7 @@ render::FunctionPtr parse_surface_function(Reader& reader, Object& object) {
   const Token word = reader.peek();
   if (!reader.accept(Keyword::function)) reader.fail_expected("'function'");
   render::FunctionPtr function = parse_function_block(reader, word);
-  object.unrendered.add(function->unrendered());
+  object.extras.change().unrendered.add(function->unrendered());
   return function;
 }
 

@@ -13,8 +13,8 @@
 namespace firstlight::parser {
 
 /// How parse_object() reads a shape that is described and not made: from behind the `{` to the first modifier. Sets
-/// `object.form`, and what else the description implies. Neither form nor shape set: there is nothing to see, after a
-/// warning.
+/// the object's form, and what else the description implies. Neither form nor shape set: there is nothing to see, after
+/// a warning.
 using FormReader = void (*)(Reader& reader, SceneContext& context, const Token& word, render::Object& object);
 
 #define SHAPE(word, function)
@@ -29,7 +29,7 @@ using FormReader = void (*)(Reader& reader, SceneContext& context, const Token& 
 /// Makes `shape` the form of `object`.
 template <class T>
 void set_form(render::Object& object, T shape) {
-  object.form = std::make_shared<const render::Form>(render::Form{std::move(shape)});
+  object.extras.change().form = std::make_shared<const render::Form>(render::Form{std::move(shape)});
 }
 
 /// Points that a scene may give one shape. Far more than curves are drawn with.

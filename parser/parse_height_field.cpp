@@ -11,7 +11,7 @@ using render::Object;
 void parse_height_field(Reader& reader, SceneContext& context, const Token&, Object& object) {
   render::HeightFieldForm form;
   form.image = parse_image_source(reader, context, false);
-  if (form.image.function) object.unrendered.add(form.image.function->unrendered());
+  if (form.image.function) object.extras.change().unrendered.add(form.image.function->unrendered());
   for (;;) {
     if (reader.accept(Keyword::water_level)) {
       form.water_level = finite_number(reader, "water_level");

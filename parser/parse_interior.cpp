@@ -2,6 +2,8 @@
 #include "parser/parse_surface.h"
 #include "parser/parse_transform.h"
 
+#include <utility>
+
 namespace firstlight::parser {
 
 using render::Interior;
@@ -49,10 +51,9 @@ bool accept_item(Reader& reader, SceneContext& context, Interior& interior) {
 
 }  // namespace
 
-Interior parse_interior(Reader& reader, SceneContext& context, const Token& word,
-                        const std::optional<Interior>& start) {
+Interior parse_interior(Reader& reader, SceneContext& context, const Token& word, Interior start) {
   reader.open_block(word);
-  Interior interior = start.value_or(Interior());
+  Interior interior = std::move(start);
   if (const auto declared = reader.accept_declared<Interior>()) interior = *declared;
   while (accept_item(reader, context, interior)) {
   }
@@ -76,15 +77,11 @@ void parse_material(Reader& reader, SceneContext& context, const Token& word, Ma
       material.interior_texture = layered(reader, parse_texture(reader, context, inner), material.interior_texture);
     } else if (reader.next_is(Keyword::interior)) {
       const Token inner = reader.take();
-      std::optional<Interior> start;
-      if (material.interior) start = *material.interior;
-      material.interior = std::make_shared<const Interior>(parse_interior(reader, context, inner, start));
+      material.interior =
+          parse_interior(reader, context, inner, material.interior.value_or(render::Shared<Interior>()));
     } else if (const auto transform = accept_transformation(reader)) {
       material.texture = moved(material.texture, *transform);
-      if (!material.interior) continue;
-      Interior interior = *material.interior;
-      move(interior, *transform);
-      material.interior = std::make_shared<const Interior>(std::move(interior));
+      if (material.interior) move(*material.interior, *transform);
     } else {
       break;
     }

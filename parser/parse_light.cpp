@@ -228,7 +228,7 @@ Object parse_light(Reader& reader, SceneContext& context, const Token& word) {
   note_features(draft);
   Object object;
   object.kind = Object::Kind::light;
-  object.light = std::move(draft.light);
+  object.extras.change().light = std::move(draft.light);
   return object;
 }
 

@@ -18,9 +18,14 @@ constexpr std::size_t kMostDensities = 1000;
 
 class DensityOwner final : public PatternOwner {
  public:
-  explicit DensityOwner(Density& density) : PatternOwner(PatternPlace::density, density.pattern), density_(density) {}
+  explicit DensityOwner(Density& density) : PatternOwner(PatternPlace::density), density_(density) {}
 
-  void parse_color(Reader& reader) override { density_.color = reader.color(); }
+  const render::Patterning& pattern() const override { return density_.pattern; }
+  render::Patterning& change_pattern() override { return density_.pattern; }
+  void parse_color(Reader& reader) override {
+    density_.pattern.kind = PatternKind::plain;
+    density_.color = reader.color();
+  }
   void parse_list(Reader& reader, SceneContext& context, std::size_t count) override {
     const Token word = reader.peek();
     set_densities(reader, word,

@@ -92,12 +92,14 @@ bool accept_rare_modifier(Reader& reader, SceneContext& context, Object& object)
     }
     case Keyword::photons: {
       const Token word = reader.take();
-      parse_object_photons(reader, word, object.photons);
+      parse_object_photons(reader, word, object.extras.change().photons);
       return true;
     }
     case Keyword::radiosity: {
       const Token word = reader.take();
-      if (const auto importance = parse_importance(reader, word)) object.radiosity_importance = importance;
+      if (const auto importance = parse_importance(reader, word)) {
+        object.extras.change().radiosity_importance = importance;
+      }
       return true;
     }
     case Keyword::dtag:
@@ -108,7 +110,7 @@ bool accept_rare_modifier(Reader& reader, SceneContext& context, Object& object)
       const Token word = reader.take();
       if (object.texture) reader.fail(word, "'uv_mapping' must stand before the texture");
       object.uv_mapping = true;
-      object.unrendered.add(feature_use(render::Feature::uv_mapping, word));
+      object.extras.change().unrendered.add(feature_use(render::Feature::uv_mapping, word));
       return true;
     }
     case Keyword::cutaway_textures: {
@@ -117,7 +119,7 @@ bool accept_rare_modifier(Reader& reader, SceneContext& context, Object& object)
         reader.fail(word, "'cutaway_textures' is for 'intersection' and 'difference' only");
       }
       object.cutaway_textures = true;
-      object.unrendered.add(feature_use(render::Feature::cutaway_textures, word));
+      object.extras.change().unrendered.add(feature_use(render::Feature::cutaway_textures, word));
       return true;
     }
     case Keyword::light_source:
@@ -146,7 +148,7 @@ std::optional<double> parse_importance(Reader& reader, const Token& word) {
 }
 
 void parse_modifiers(Reader& reader, SceneContext& context, const Token& word, Object& object) {
-  for (;;) {
+  while (!reader.next_is(Punctuation::right_brace)) {
     if (const auto transform = accept_transformation(reader)) {
       render::place(object, *transform);
     } else if (!accept_surface_modifier(reader, context, object) && !accept_flag(reader, object) &&
@@ -154,7 +156,7 @@ void parse_modifiers(Reader& reader, SceneContext& context, const Token& word, O
       break;
     }
   }
-  if (object.interior_texture && !object.texture) {
+  if (object.extras->interior_texture && !object.texture) {
     reader.fail(word, "an 'interior_texture' needs a 'texture' beside it");
   }
   reader.close_block();

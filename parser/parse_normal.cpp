@@ -18,8 +18,10 @@ constexpr double kDefaultAccuracy = 0.02;
 
 class NormalOwner final : public PatternOwner {
  public:
-  explicit NormalOwner(Normal& normal) : PatternOwner(PatternPlace::normal, normal.pattern), normal_(normal) {}
+  explicit NormalOwner(Normal& normal) : PatternOwner(PatternPlace::normal), normal_(normal) {}
 
+  const render::Patterning& pattern() const override { return normal_.pattern; }
+  render::Patterning& change_pattern() override { return normal_.pattern; }
   void parse_color(Reader&) override {}
   void parse_list(Reader& reader, SceneContext& context, std::size_t count) override;
   void parse_item(Reader& reader, SceneContext& context) override;

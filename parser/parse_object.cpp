@@ -40,37 +40,39 @@ ShapeWord shape_word(Keyword word) {
   }
 }
 
-Object parse_shape(Reader& reader, SceneContext& context, const ShapeWord& shape) {
+std::optional<Object> parse_shape(Reader& reader, SceneContext& context, const ShapeWord& shape) {
   const Token word = reader.take();
   reader.open_block(word);
-  if (auto declared = accept_declared_object(reader)) {
-    parse_modifiers(reader, context, word, *declared);
-    return std::move(*declared);
+  std::optional<Object> result = accept_declared_object(reader);
+  if (result) {
+    parse_modifiers(reader, context, word, *result);
+    return result;
   }
-  Object object;
+  Object& object = result.emplace();  // most objects are made here, and moved nowhere
   object.word = spelling(word.keyword);
   if (shape.read) {
     object.shape = shape.read(reader, word);
   } else {
     shape.describe(reader, context, word, object);
   }
-  if (object.form) {
-    object.patch = render::is_patch(*object.form);
-    object.unrendered.add(feature_use(render::feature_of(*object.form), word));
+  if (const auto& form = object.extras->form) {
+    object.patch = render::is_patch(*form);
+    object.extras.change().unrendered.add(feature_use(render::feature_of(*form), word));
   } else if (object.shape) {
     object.patch = shape.patch;
   } else {
     object = empty_object();
   }
   parse_modifiers(reader, context, word, object);
-  return object;
+  return result;
 }
 
 void add_name(Object& object, std::string_view name) {
   // A loop that declares an object of itself again and again gives it the same name again and again.
-  if (!object.names.empty() && object.names.front() == name) return;
-  if (object.names.size() == Object::kMostNames) object.names.pop_back();
-  object.names.emplace(object.names.begin(), name);
+  if (!object.extras->names.empty() && object.extras->names.front() == name) return;
+  auto& names = object.extras.change().names;
+  if (names.size() == render::ObjectExtras::kMostNames) names.pop_back();
+  names.emplace(names.begin(), name);
 }
 
 /// `object { any object, modifiers }`

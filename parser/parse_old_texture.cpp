@@ -22,12 +22,13 @@ bool accept_normal(Reader& reader, SceneContext& context, render::TextureLayer& 
 bool accept_old_words(Reader& reader, SceneContext& context, render::TextureLayer& layer) {
   const Token word = reader.peek();
   if (accept_bare_pigment(reader, context, layer.pigment) || accept_normal(reader, context, layer) ||
-      accept_bare_finish(reader, layer.finish)) {
+      accept_bare_finish(reader, layer.finish.change())) {
     return true;
   }
   if (!reader.at_number()) return false;
-  layer.finish.crand = finite_number(reader, "crand");
-  layer.finish.unrendered.add(feature_use(render::Feature::crand, word));
+  render::Finish& finish = layer.finish.change();
+  finish.crand = finite_number(reader, "crand");
+  finish.unrendered.add(feature_use(render::Feature::crand, word));
   reader.warn(word, "a number in a texture is taken as 'crand', which should be written");
   return true;
 }

@@ -55,7 +55,9 @@ bool accept_flag(Reader& reader, Patterning& pattern) {
 }
 
 bool accept_modifier(Reader& reader, SceneContext& context, PatternOwner& owner) {
-  Patterning& pattern = owner.pattern();
+  // Most blocks end here, and so share what nothing changes.
+  if (reader.next_is(Punctuation::right_brace)) return false;
+  Patterning& pattern = owner.change_pattern();
   if (const auto transform = accept_transformation(reader)) {
     pattern.warps.transform(*transform);
     return true;
@@ -72,7 +74,6 @@ void parse_pattern(Reader& reader, SceneContext& context, PatternOwner& owner) {
     if (owner.place() != PatternPlace::pigment && owner.place() != PatternPlace::density) {
       reader.fail(word, "a colour is for 'pigment' and 'density' only");
     }
-    owner.pattern().kind = PatternKind::plain;
     owner.parse_color(reader);
   } else if (const PatternKind kind = pattern_kind(reader, owner.place(), word); kind != PatternKind::none) {
     reader.take();
@@ -81,10 +82,12 @@ void parse_pattern(Reader& reader, SceneContext& context, PatternOwner& owner) {
   owner.parse_amount(reader);
   while (accept_modifier(reader, context, owner)) {
   }
-  Patterning& pattern = owner.pattern();
+  const Patterning& pattern = owner.pattern();
   if (pattern.kind == PatternKind::average && !owner.has_map()) reader.fail(word, "'average' needs a map");
   check_pattern_parameters(reader, word, pattern);
-  pattern.field = render::make_pattern(pattern.kind, pattern.parameters);
+  if (render::is_patterned(pattern.kind)) {
+    owner.change_pattern().field = render::make_pattern(pattern.kind, pattern.parameters);
+  }
 }
 
 void check_map_allowed(Reader& reader, const Token& word, const Patterning& pattern, bool average_allowed) {

@@ -108,8 +108,9 @@ void parse_object_pattern(Reader& reader, SceneContext& context, PatternOwner& o
   auto object = parse_object(reader, context);
   if (!object) reader.fail_expected("an object");
   while (const auto transform = accept_transformation(reader)) render::place(*object, *transform);
-  nest(reader, word, owner.pattern().depth, object->depth);
-  owner.pattern().parameters = render::ObjectParameters{std::make_shared<const render::Object>(std::move(*object))};
+  nest(reader, word, owner.change_pattern().depth, object->depth);
+  owner.change_pattern().parameters =
+      render::ObjectParameters{std::make_shared<const render::Object>(std::move(*object))};
   owner.parse_list(reader, context, render::list_size(PatternKind::object));
   reader.close_block();
 }
@@ -118,14 +119,14 @@ void parse_pigment_pattern(Reader& reader, SceneContext& context, Patterning& pa
   reader.open_block(word);
   render::Pigment pigment = parse_pigment_contents(reader, context, word, render::Pigment());
   reader.close_block();
-  nest(reader, word, pattern.depth, pigment.pattern.depth);
+  nest(reader, word, pattern.depth, pigment.pattern->depth);
   gather(pigment, pattern.unrendered);
   pattern.parameters = render::PigmentParameters{std::make_shared<const render::Pigment>(std::move(pigment))};
 }
 
 /// The words behind the pattern's name, and what the pattern sets besides.
 void parse_arguments(Reader& reader, SceneContext& context, PatternOwner& owner, const Token& word, bool same_kind) {
-  Patterning& pattern = owner.pattern();
+  Patterning& pattern = owner.change_pattern();
   switch (pattern.kind) {
     case PatternKind::agate:
       pattern.parameters = render::AgateParameters();
@@ -243,7 +244,7 @@ PatternKind pattern_kind(Reader& reader, PatternPlace place, const Token& word) 
 
 void parse_pattern_type(Reader& reader, SceneContext& context, PatternOwner& owner, const Token& word,
                         PatternKind kind) {
-  Patterning& pattern = owner.pattern();
+  Patterning& pattern = owner.change_pattern();
   const bool same_kind = pattern.kind == kind;
   pattern.kind = kind;
   pattern.unrendered = {};

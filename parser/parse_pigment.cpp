@@ -20,13 +20,18 @@ namespace {
 
 class PigmentOwner final : public PatternOwner {
  public:
-  explicit PigmentOwner(Pigment& pigment) : PatternOwner(PatternPlace::pigment, pigment.pattern), pigment_(pigment) {}
+  explicit PigmentOwner(Pigment& pigment) : PatternOwner(PatternPlace::pigment), pigment_(pigment) {}
 
-  void parse_color(Reader& reader) override { pigment_.color = reader.color(); }
+  const render::Patterning& pattern() const override { return pigment_.pattern; }
+  render::Patterning& change_pattern() override { return pigment_.pattern.change(); }
+  void parse_color(Reader& reader) override {
+    render::make_plain(pigment_);
+    pigment_.color = reader.color();
+  }
   void parse_list(Reader& reader, SceneContext& context, std::size_t count) override;
   void parse_item(Reader& reader, SceneContext& context) override;
   void parse_image(Reader& reader, SceneContext& context, const Token& word) override {
-    pigment_.pattern.parameters = parse_image_map(reader, context, word);
+    pigment_.pattern.change().parameters = parse_image_map(reader, context, word);
   }
   bool accept_word(Reader& reader, SceneContext& context) override;
   bool has_map() const override { return pigment_.pigments || !pigment_.map.empty(); }
@@ -38,7 +43,7 @@ class PigmentOwner final : public PatternOwner {
 };
 
 void PigmentOwner::set_pigments(Reader& reader, const Token& word, std::shared_ptr<const render::PigmentMap> pigments) {
-  nest(reader, word, pigment_.pattern.depth, pigments->depth);
+  nest(reader, word, pigment_.pattern.change().depth, pigments->depth);
   pigment_.pigments = std::move(pigments);
   pigment_.map.clear();
 }
@@ -46,7 +51,7 @@ void PigmentOwner::set_pigments(Reader& reader, const Token& word, std::shared_p
 /// Colours, or pigments. A list of single colours is the same whichever way it is written.
 void PigmentOwner::parse_list(Reader& reader, SceneContext& context, std::size_t count) {
   pigment_.pigments = nullptr;
-  pigment_.map = render::default_map(pigment_.pattern.kind);
+  pigment_.map = render::default_map(pigment_.pattern->kind);
   if (!reader.next_is(Keyword::pigment)) {
     for (auto entry = pigment_.map.begin(); entry != pigment_.map.end() && reader.at_expression(); ++entry) {
       entry->color = reader.color();
@@ -60,7 +65,7 @@ void PigmentOwner::parse_list(Reader& reader, SceneContext& context, std::size_t
     return parse_pigment(reader, context, block, missing);
   });
   const bool single_colors = std::none_of(list->entries.begin(), list->entries.end(), [](const auto& entry) {
-    return render::is_patterned(entry.value.pattern.kind);
+    return render::is_patterned(entry.value.pattern->kind);
   });
   if (!single_colors) {
     list->unrendered.add(feature_use(Feature::pigment_list, word));
@@ -83,7 +88,8 @@ bool PigmentOwner::accept_word(Reader& reader, SceneContext& context) {
     pigment_.pigments = nullptr;
   } else if (reader.accept(Keyword::pigment_map)) {
     check_map_allowed(reader, word, pigment_.pattern, true);
-    set_pigments(reader, word, parse_pigment_map(reader, context, word, pigment_.pattern.kind == PatternKind::average));
+    set_pigments(reader, word,
+                 parse_pigment_map(reader, context, word, pigment_.pattern->kind == PatternKind::average));
   } else if (reader.accept(Keyword::quick_color)) {
     pigment_.quick_color = reader.color();
   } else {
@@ -122,18 +128,20 @@ bool accept_bare_pigment(Reader& reader, SceneContext& context, Pigment& pigment
   PigmentOwner owner(pigment);
   const Token word = reader.peek();
   if (at_color(reader)) {
-    pigment.pattern.kind = PatternKind::plain;
     owner.parse_color(reader);
   } else if (word.kind == TokenKind::keyword && is_old_pattern(word.keyword)) {
-    const render::WaveForm form = pigment.pattern.wave.form;  // no pattern had a wave of its own
+    const render::WaveForm form = pigment.pattern->wave.form;  // no pattern had a wave of its own
     reader.take();
     parse_pattern_type(reader, context, owner, word, pattern_kind(reader, PatternPlace::pigment, word));
-    pigment.pattern.wave.form = form;
+    pigment.pattern.change().wave.form = form;
   } else if (word.is(Keyword::warp) ||
-             (!accept_warp(reader, pigment.pattern.warps) && !owner.accept_word(reader, context))) {
+             (!accept_warp(reader, pigment.pattern.change().warps) && !owner.accept_word(reader, context))) {
     return false;
   }
-  pigment.pattern.field = render::make_pattern(pigment.pattern.kind, pigment.pattern.parameters);
+  if (render::is_patterned(pigment.pattern->kind)) {
+    render::Patterning& pattern = pigment.pattern.change();
+    pattern.field = render::make_pattern(pattern.kind, pattern.parameters);
+  }
   return true;
 }
 
@@ -149,7 +157,7 @@ Pigment parse_pigment_contents(Reader& reader, SceneContext& context, const Toke
   if (const auto declared = reader.accept_declared<Pigment>()) pigment = *declared;
   PigmentOwner owner(pigment);
   parse_pattern(reader, context, owner);
-  if (pigment.pattern.kind == PatternKind::none) {
+  if (pigment.pattern->kind == PatternKind::none) {
     reader.warn(word, "'pigment' has no colour or pattern as its first item");
   }
   return pigment;

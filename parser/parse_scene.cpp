@@ -37,7 +37,7 @@ void parse_top_object(Reader& reader, SceneContext& context) {
   }
   // Behind an error only further errors are looked for.
   if (reader.interpreter().has_failed()) return;
-  context.builder.add(std::move(*object), context.default_texture);
+  context.builder.add(*object, context.default_texture);
 }
 
 void parse_statement(Reader& reader, SceneContext& context) {

@@ -27,8 +27,7 @@ render::TexturePtr parse_texture_contents(Reader& reader, SceneContext& context)
 render::Density parse_density(Reader& reader, SceneContext& context, const Token& word);
 render::Density parse_density_contents(Reader& reader, SceneContext& context);
 render::Media parse_media(Reader& reader, SceneContext& context, const Token& word);
-render::Interior parse_interior(Reader& reader, SceneContext& context, const Token& word,
-                                const std::optional<render::Interior>& start);
+render::Interior parse_interior(Reader& reader, SceneContext& context, const Token& word, render::Interior start);
 void parse_material(Reader& reader, SceneContext& context, const Token& word, Material& material);
 
 // Maps. `average`: for the pattern of that name, whose entries have weights.

@@ -115,7 +115,7 @@ void filter_to_transmit(FilteredColor& color) {
 class Untinted {
  public:
   void change(render::Pigment& pigment) {
-    if (!render::is_patterned(pigment.pattern.kind)) return filter_to_transmit(pigment.color);
+    if (!render::is_patterned(pigment.pattern->kind)) return filter_to_transmit(pigment.color);
     for (auto& entry : pigment.map) filter_to_transmit(entry.color);
     if (pigment.pigments) pigment.pigments = changed(pigment.pigments);
   }
@@ -216,27 +216,27 @@ void parse_object_parts(Reader& reader, SceneContext& context, Object& object) {
 
 void parse_object_material(Reader& reader, SceneContext& context, Object& object) {
   const Token word = reader.take();
+  render::ObjectExtras& extras = object.extras.change();
   settle(object.texture, object.texture_placement);
-  settle(object.interior_texture, object.interior_texture_placement);
+  settle(extras.interior_texture, extras.interior_texture_placement);
   Material material;
   material.texture = object.texture;
-  material.interior_texture = object.interior_texture;
-  if (object.interior) material.interior = std::make_shared<const render::Interior>(*object.interior);
+  material.interior_texture = extras.interior_texture;
+  material.interior = extras.interior;
   parse_material(reader, context, word, material);
   object.texture = material.texture;
-  object.interior_texture = material.interior_texture;
-  object.interior.reset();
-  if (material.interior) object.interior = *material.interior;
+  extras.interior_texture = material.interior_texture;
+  extras.interior = material.interior;
 }
 
 /// Objects in the patterns of surfaces count as part of the object, for its depth.
 void deepen(Object& object) {
-  for (const TexturePtr& texture : {object.texture, object.interior_texture}) {
+  for (const TexturePtr& texture : {object.texture, object.extras->interior_texture}) {
     if (!texture) continue;
     object.textured = true;
     object.depth = std::max(object.depth, depth_of(*texture));
   }
-  if (object.interior) object.depth = std::max(object.depth, depth_of(*object.interior));
+  if (object.extras->interior) object.depth = std::max(object.depth, depth_of(**object.extras->interior));
 }
 
 }  // namespace
@@ -248,9 +248,11 @@ bool accept_surface_modifier(Reader& reader, SceneContext& context, Object& obje
     case Keyword::texture:
       parse_object_texture(reader, context, object.texture, object.texture_placement);
       break;
-    case Keyword::interior_texture:
-      parse_object_texture(reader, context, object.interior_texture, object.interior_texture_placement);
+    case Keyword::interior_texture: {
+      render::ObjectExtras& extras = object.extras.change();
+      parse_object_texture(reader, context, extras.interior_texture, extras.interior_texture_placement);
       break;
+    }
     case Keyword::pigment:
     case Keyword::finish:
     case Keyword::normal:
@@ -258,7 +260,8 @@ bool accept_surface_modifier(Reader& reader, SceneContext& context, Object& obje
       break;
     case Keyword::interior: {
       const Token word = reader.take();
-      object.interior = parse_interior(reader, context, word, object.interior);
+      auto& interior = object.extras.change().interior;
+      interior = parse_interior(reader, context, word, interior.value_or(render::Shared<render::Interior>()));
       break;
     }
     case Keyword::material:

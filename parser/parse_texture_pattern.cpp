@@ -17,9 +17,10 @@ namespace {
 
 class TextureOwner final : public PatternOwner {
  public:
-  explicit TextureOwner(TexturePattern& texture)
-      : PatternOwner(PatternPlace::texture, texture.pattern), texture_(texture) {}
+  explicit TextureOwner(TexturePattern& texture) : PatternOwner(PatternPlace::texture), texture_(texture) {}
 
+  const render::Patterning& pattern() const override { return texture_.pattern; }
+  render::Patterning& change_pattern() override { return texture_.pattern; }
   void parse_color(Reader&) override {}
   void parse_list(Reader& reader, SceneContext& context, std::size_t count) override {
     const Token word = reader.peek();

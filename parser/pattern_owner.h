@@ -15,14 +15,16 @@ enum class PatternPlace { pigment, normal, texture, density };
 /// densities, which differ in their maps and lists.
 class PatternOwner {
  public:
-  PatternOwner(PatternPlace place, render::Patterning& pattern) : place_(place), pattern_(pattern) {}
+  explicit PatternOwner(PatternPlace place) : place_(place) {}
   PatternOwner(const PatternOwner&) = delete;
   PatternOwner& operator=(const PatternOwner&) = delete;
 
   PatternPlace place() const { return place_; }
-  render::Patterning& pattern() { return pattern_; }
+  virtual const render::Patterning& pattern() const = 0;
+  /// The pattern, to be changed.
+  virtual render::Patterning& change_pattern() = 0;
 
-  /// A colour as the first item.
+  /// A colour as the first item, which is all the pattern then.
   virtual void parse_color(Reader& reader) = 0;
   /// Up to `count` entries of a list pattern; what is not given has its default.
   virtual void parse_list(Reader& reader, SceneContext& context, std::size_t count) = 0;
@@ -41,7 +43,6 @@ class PatternOwner {
 
  private:
   PatternPlace place_;
-  render::Patterning& pattern_;
 };
 
 /// The inside of a block: a pattern or colour, and what may follow. [parse_pattern.cpp]

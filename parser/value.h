@@ -5,6 +5,7 @@
 #include "render/function/function.h"
 #include "render/function/spline.h"
 #include "render/math/color.h"
+#include "render/math/shared.h"
 #include "render/math/transform.h"
 #include "render/scene/atmosphere.h"
 #include "render/scene/object.h"
@@ -17,6 +18,7 @@
 #include <functional>
 #include <map>
 #include <memory>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <variant>
@@ -43,7 +45,7 @@ struct Material {
   render::TexturePtr texture;
   render::Transform texture_placement;
   render::TexturePtr interior_texture;
-  std::shared_ptr<const render::Interior> interior;
+  std::optional<render::Shared<render::Interior>> interior;
 };
 
 /// Anything that `#declare` can name. Heavy things are shared and immutable; a copy is cheap.

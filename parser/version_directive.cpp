@@ -36,7 +36,7 @@ void Interpreter::change_defaults(const Token& word) {
   auto texture = std::make_shared<render::Texture>(*context_.default_texture);
   const float white = newer ? 1.0f : 0.0f, ambient = newer ? 0.0f : 0.1f;
   texture->layers[0].pigment.color.rgb = render::Rgb(white, white, white);
-  texture->layers[0].finish.ambient = render::Rgb(ambient, ambient, ambient);
+  texture->layers[0].finish.change().ambient = render::Rgb(ambient, ambient, ambient);
   context_.default_texture = std::move(texture);
   const double aspect = static_cast<double>(options_.width) / options_.height;
   context_.default_camera.right = {newer ? aspect : render::Camera().right.x, 0.0, 0.0};

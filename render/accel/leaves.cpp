@@ -8,7 +8,7 @@ namespace {
 
 bool any_opaque(const Solid& solid, const std::vector<Part>& parts) {
   if (solid.kind == Solid::Kind::shape) return parts[solid.part].opaque;
-  return std::any_of(solid.members.begin(), solid.members.end(), [&](const Solid& m) { return any_opaque(m, parts); });
+  return std::ranges::any_of(solid.members(), [&](const Solid& m) { return any_opaque(m, parts); });
 }
 
 ChildRef next_ref(ChildKind kind, std::size_t index) { return ChildRef::of(kind, static_cast<std::uint32_t>(index)); }
@@ -37,8 +37,7 @@ Leaves::Leaves(const Scene& scene) {
     head.hidden_from = solid.hidden_from;
     head.opaque = any_opaque(solid, scene.parts);
     ChildRef ref{0};
-    const bool plain = solid.kind == Solid::Kind::shape && solid.clips.empty() && solid.bounds.empty();
-    if (plain) {
+    if (solid.is_plain()) {
       head.shape = solid.shape.get();
       head.part = solid.part;
     }

@@ -15,8 +15,11 @@ std::shared_ptr<const Object> placed(const std::shared_ptr<const Object>& object
 void place(Object& object, const Transform& transform) {
   object.placement = object.placement.then(transform);
   if (object.texture) object.texture_placement = object.texture_placement.then(transform);
-  if (object.interior) move(*object.interior, transform);
-  if (object.interior_texture) object.interior_texture_placement = object.interior_texture_placement.then(transform);
+  if (object.extras.is_initial() || transform.is_identity()) return;
+  if (!object.extras->interior && !object.extras->interior_texture) return;
+  ObjectExtras& extras = object.extras.change();
+  if (extras.interior) move(*extras.interior, transform);
+  if (extras.interior_texture) extras.interior_texture_placement = extras.interior_texture_placement.then(transform);
 }
 
 Light placed_with_objects(const Light& light, const Transform& transform) {

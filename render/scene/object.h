@@ -2,6 +2,7 @@
 
 #include "render/feature/feature.h"
 #include "render/light/light.h"
+#include "render/math/shared.h"
 #include "render/math/transform.h"
 #include "render/scene/photon_role.h"
 #include "render/shape/shape.h"
@@ -19,35 +20,45 @@
 namespace firstlight::render {
 
 struct Form;
+struct Object;
+
+using ObjectList = std::shared_ptr<const std::vector<Object>>;  ///< null: none
+
+/// What few objects have.
+struct ObjectExtras {
+  std::shared_ptr<const Form> form = {};  ///< of Kind::shape, where the shape is described and not made: `shape` is
+                                          ///< null then
+  Shared<Light> light = {};               ///< of Kind::light
+  ObjectList clipped_by = {};             ///< points of the surface outside any of these are cut away
+  ObjectList bounded_by = {};             ///< rays that miss any of these miss the object
+  bool bounds_are_clips = false;          ///< bounded_by { clipped_by }
+
+  TexturePtr interior_texture = {};  ///< seen from inside; null: inherited, or as outside
+  Transform interior_texture_placement = {};
+  std::optional<Shared<Interior>> interior = {};  ///< not set: inherited
+
+  std::optional<double> radiosity_importance = {};  ///< above 0, at most 1; not set: the scene's default
+  PhotonRole photons = {};
+  /// A union whose lights shine on its own objects only; `global_lights`: which those of the scene light too.
+  bool light_group = false;
+  bool global_lights = false;
+  /// Identifiers it was declared under, for choosing objects by name, the outermost first: `#declare A = object { B }`
+  /// makes {"A", "B"} of both. At most kMostNames.
+  std::vector<std::string> names = {};
+  FeatureUses unrendered = {};  ///< what the object's own words ask for; children and surfaces carry theirs
+
+  static constexpr std::size_t kMostNames = 8;
+};
 
 /// A thing in the scene as it is described: one shape or light, or several combined. A cheap value: the shape and the
 /// children are shared, so copying a declared object costs the same whatever its size. Scene building walks the
 /// tree and hands placements, textures and flags down to the leaves.
+///
+/// Memory   Unions hold their parts by the hundred thousand, so what few objects have is apart from them.
 struct Object {
-  enum class Kind { shape, light, union_, intersection, merge };
+  enum class Kind : std::uint8_t { shape, light, union_, intersection, merge };
 
   Kind kind = Kind::shape;
-  ShapePtr shape;                                         ///< of Kind::shape; its space is this object's
-  std::shared_ptr<const Form> form;                       ///< of Kind::shape, where the shape is described and not
-                                                          ///< made: `shape` is null then
-  Light light;                                            ///< of Kind::light
-  std::shared_ptr<const std::vector<Object>> children;    ///< of the combining kinds (a difference is an intersection
-                                                          ///< with inverted further children)
-  std::shared_ptr<const std::vector<Object>> clipped_by;  ///< points of the surface outside any of these are cut away
-  std::shared_ptr<const std::vector<Object>> bounded_by;  ///< rays that miss any of these miss the object
-  bool bounds_are_clips = false;                          ///< bounded_by { clipped_by }
-
-  /// Object to parent. Moves shape, children, clips and bounds, and every texture inside them.
-  Transform placement;
-
-  /// Null: inherited from the parent, or the default texture at top level. `texture_placement` moves it to the parent's
-  /// space: it holds only the transformations that came after the texture in the scene text.
-  TexturePtr texture;
-  Transform texture_placement;
-  TexturePtr interior_texture;  ///< seen from inside; null: inherited, or as outside
-  Transform interior_texture_placement;
-  std::optional<Interior> interior;  ///< not set: inherited
-
   bool inverted = false;
   bool hollow = false;
   bool no_shadow = false;
@@ -60,25 +71,23 @@ struct Object {
   bool sturm = false;             ///< polynomials are solved the slow and sure way
   bool hierarchy = true;          ///< parts of the shape may be bounded
   bool no_radiosity = false;
-  std::optional<double> radiosity_importance = {};  ///< above 0, at most 1; not set: the scene's default
-  PhotonRole photons = {};
-  /// A union whose lights shine on its own objects only; `global_lights`: which those of the scene light too.
-  bool light_group = false;
-  bool global_lights = false;
+  bool textured = false;  ///< it or something in it has a texture of its own
+  bool patch = false;     ///< it or something in it is a surface without an inside, such as a triangle
   /// How deep and how large the tree below is. Sharing lets a short text describe trees that no machine can walk;
   /// whoever builds an object keeps these in step, and the front end refuses too large ones.
   std::uint32_t depth = 0;  ///< levels of children, clips and bounds below this object
   std::uint64_t size = 1;   ///< objects in it, itself among them, each as often as it occurs
-  bool textured = false;    ///< it or something in it has a texture of its own
-  bool patch = false;       ///< it or something in it is a surface without an inside, such as a triangle
-  /// Identifiers it was declared under, for choosing objects by name, the outermost first: `#declare A = object { B }`
-  /// makes {"A", "B"} of both. At most kMostNames.
-  std::vector<std::string> names;
+
+  ShapePtr shape;       ///< of Kind::shape; its space is this object's
+  ObjectList children;  ///< of the combining kinds (a difference is an intersection with inverted further children)
+  /// Object to parent. Moves shape, children, clips and bounds, and every texture inside them.
+  Transform placement;
+  /// Null: inherited from the parent, or the default texture at top level. `texture_placement` moves it to the parent's
+  /// space: it holds only the transformations that came after the texture in the scene text.
+  TexturePtr texture;
+  Transform texture_placement;
   std::string_view word;  ///< of Kind::shape: the word of the scene language that made it; static text
-
-  FeatureUses unrendered = {};  ///< what the object's own words ask for; children and surfaces carry theirs
-
-  static constexpr std::size_t kMostNames = 8;
+  Shared<ObjectExtras> extras;
 };
 
 /// Moves the object on, with its textures.

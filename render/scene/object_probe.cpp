@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 #include <vector>
 
 namespace firstlight::render {
@@ -118,11 +119,13 @@ Box3 box_of(const Object& object, const Transform& to_world, bool inverted) {
 
 bool is_made(const Object& object) {
   if (object.kind == Object::Kind::shape && !object.shape) return false;
-  return are_made(object.children) && are_made(object.clipped_by) && are_made(object.bounded_by);
+  return are_made(object.children) && are_made(object.extras->clipped_by) && are_made(object.extras->bounded_by);
 }
 
-ObjectProbe::ObjectProbe(const Object& object)
-    : solid_(region(object, Transform(), false)), complete_(is_made(object)) {}
+ObjectProbe::ObjectProbe(const Object& object) : complete_(is_made(object)) {
+  std::optional<Solid> solid = region(object, Transform(), false);
+  if (solid) solid_ = std::make_shared<const Solid>(std::move(*solid));
+}
 
 std::optional<ObjectProbe::Hit> ObjectProbe::trace(const Vec3& origin, const Vec3& direction) const {
   const double length = direction.length();

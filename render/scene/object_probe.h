@@ -26,7 +26,7 @@ class ObjectProbe {
   bool inside(const Vec3& point) const;
 
  private:
-  std::optional<Solid> solid_;
+  std::shared_ptr<const Solid> solid_;  ///< null: the object has no geometry
   bool complete_;
 };
 

@@ -21,11 +21,23 @@ std::vector<std::string> ObjectTable::names_of(Names way) const {
   return names;
 }
 
-std::uint32_t ObjectTable::group(Names names, std::string_view shape, SurfaceKind surface, std::uint64_t size) {
+std::uint32_t ObjectTable::shape_number(std::string_view shape) {
+  if (!shapes_.empty() && shape.data() == last_shape_.data() && shape.size() == last_shape_.size()) {
+    return last_shape_number_;
+  }
   auto word = shapes_.find(shape);
   if (word == shapes_.end()) word = shapes_.emplace(shape, static_cast<std::uint32_t>(shapes_.size())).first;
-  const Key key{names, word->second, surface, static_cast<std::uint8_t>(std::bit_width(size))};
-  if (const auto found = numbers_.find(key); found != numbers_.end()) return found->second;
+  last_shape_ = shape;
+  return last_shape_number_ = word->second;
+}
+
+std::uint32_t ObjectTable::group(Names names, std::string_view shape, SurfaceKind surface, std::uint64_t size) {
+  const Key key{names, shape_number(shape), surface, static_cast<std::uint8_t>(std::bit_width(size))};
+  if (last_ && last_->first == key) return last_->second;
+  if (const auto found = numbers_.find(key); found != numbers_.end()) {
+    last_ = *found;
+    return found->second;
+  }
   const auto number = static_cast<std::uint32_t>(groups_.size());
   if (number == kMostObjectGroups) return number - 1;
   if (number + 1 == kMostObjectGroups) {

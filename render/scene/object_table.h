@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <functional>
 #include <map>
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -25,7 +26,7 @@ class ObjectTable {
   Names within(Names outer, std::span<const std::string> names);
   std::vector<std::string> names_of(Names way) const;
 
-  /// The number of a group, less than kMostObjectGroups.
+  /// The number of a group, less than kMostObjectGroups. `shape` is static text.
   std::uint32_t group(Names names, std::string_view shape, SurfaceKind surface, std::uint64_t size);
   std::vector<ObjectGroup> take() { return std::move(groups_); }
 
@@ -43,10 +44,16 @@ class ObjectTable {
     auto operator<=>(const Key&) const = default;
   };
 
+  std::uint32_t shape_number(std::string_view shape);
+
   std::vector<Step> steps_{1};  // by Names; the first stands for no identifiers
   std::map<std::pair<Names, std::string>, Names> ways_;
   std::map<std::string, std::uint32_t, std::less<>> shapes_;
   std::map<Key, std::uint32_t> numbers_;
+  // What was asked for last, for the next is mostly the same.
+  std::string_view last_shape_;
+  std::uint32_t last_shape_number_ = 0;
+  std::optional<std::pair<Key, std::uint32_t>> last_;
   std::vector<ObjectGroup> groups_;
 };
 

@@ -7,7 +7,7 @@
 namespace firstlight::render {
 namespace {
 
-bool is_empty(const std::shared_ptr<const std::vector<Object>>& list) { return !list || list->empty(); }
+bool is_empty(const ObjectList& list) { return !list || list->empty(); }
 
 }  // namespace
 
@@ -26,16 +26,17 @@ Solid::Kind solid_kind(Object::Kind kind, bool inverted) {
   return Solid::Kind::shape;
 }
 
-const std::shared_ptr<const std::vector<Object>>& clips_of(const Object& object) {
-  return object.bounds_are_clips && is_empty(object.clipped_by) ? object.bounded_by : object.clipped_by;
+const ObjectList& clips_of(const Object& object) {
+  return object.extras->bounds_are_clips && is_empty(object.extras->clipped_by) ? object.extras->bounded_by
+                                                                                : object.extras->clipped_by;
 }
 
-const std::shared_ptr<const std::vector<Object>>& bounds_of(const Object& object) {
-  return object.bounds_are_clips && is_empty(object.bounded_by) ? object.clipped_by : object.bounded_by;
+const ObjectList& bounds_of(const Object& object) {
+  return object.extras->bounds_are_clips && is_empty(object.extras->bounded_by) ? object.extras->clipped_by
+                                                                                : object.extras->bounded_by;
 }
 
-std::vector<Solid> regions(const std::shared_ptr<const std::vector<Object>>& objects, const Transform& to_world,
-                           bool inverted) {
+std::vector<Solid> regions(const ObjectList& objects, const Transform& to_world, bool inverted) {
   std::vector<Solid> result;
   if (!objects) return result;
   result.reserve(objects->size());
@@ -60,10 +61,10 @@ std::optional<Solid> region(const Object& object, const Transform& to_world, boo
   if (object.kind == Object::Kind::shape) {
     solid.shape = placed_shape(object, here, complement);
   } else {
-    solid.members = regions(object.children, here, complement);
+    solid.set_members(regions(object.children, here, complement));
   }
-  solid.clips = regions(clips_of(object), here);
-  solid.bounds = regions(bounds_of(object), here);
+  solid.set_clips(regions(clips_of(object), here));
+  solid.set_bounds(regions(bounds_of(object), here));
   solid.close();
   return solid;
 }

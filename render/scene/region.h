@@ -15,8 +15,8 @@ namespace firstlight::render {
 Solid::Kind solid_kind(Object::Kind kind, bool inverted);
 
 /// What cuts an object, and what bounds it: `clipped_by { bounded_by }` and the like make them the same.
-const std::shared_ptr<const std::vector<Object>>& clips_of(const Object& object);
-const std::shared_ptr<const std::vector<Object>>& bounds_of(const Object& object);
+const ObjectList& clips_of(const Object& object);
+const ObjectList& bounds_of(const Object& object);
 
 /// The shape of an object that is one, where it stands.
 ShapePtr placed_shape(const Object& object, const Transform& to_world, bool inverted);
@@ -24,7 +24,6 @@ ShapePtr placed_shape(const Object& object, const Transform& to_world, bool inve
 /// The geometry of an object without its surfaces: where it is, not how it looks. Nothing for lights, and for shapes
 /// that are described and not made.
 std::optional<Solid> region(const Object& object, const Transform& to_world, bool inverted);
-std::vector<Solid> regions(const std::shared_ptr<const std::vector<Object>>& objects, const Transform& to_world,
-                           bool inverted = false);
+std::vector<Solid> regions(const ObjectList& objects, const Transform& to_world, bool inverted = false);
 
 }  // namespace firstlight::render

@@ -3,6 +3,7 @@
 #include "render/camera/camera.h"
 #include "render/light/light.h"
 #include "render/math/color.h"
+#include "render/math/shared.h"
 #include "render/scene/atmosphere.h"
 #include "render/scene/global_settings.h"
 #include "render/scene/object_group.h"
@@ -78,7 +79,7 @@ struct Scene {
   std::vector<Solid> solids;
   std::vector<Part> parts;
   std::vector<PlacedTexture> textures;
-  std::vector<Interior> interiors;
+  std::vector<Shared<Interior>> interiors;
   std::vector<ObjectGroup> objects;
   std::size_t described = 0;    ///< top-level objects that are no solids, for they cannot be rendered
   FeatureUses unrendered = {};  ///< of all that is in the scene: while not empty, no picture is right

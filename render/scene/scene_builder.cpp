@@ -7,7 +7,6 @@
 
 #include <algorithm>
 #include <cstddef>
-#include <iterator>
 #include <optional>
 #include <utility>
 
@@ -32,14 +31,22 @@ std::uint8_t hidden_bits(const Object& object) {
                                    (object.no_shadow ? kHiddenFromShadow : 0));
 }
 
-bool is_empty(const std::shared_ptr<const std::vector<Object>>& list) { return !list || list->empty(); }
+bool is_empty(const ObjectList& list) { return !list || list->empty(); }
 
 bool has_surface(const Solid& solid) {
-  return solid.kind == Solid::Kind::shape || std::any_of(solid.members.begin(), solid.members.end(), has_surface);
+  return solid.kind == Solid::Kind::shape || std::ranges::any_of(solid.members(), has_surface);
 }
 
 bool has_form(const Object& object) {
-  return object.form || (object.children && std::any_of(object.children->begin(), object.children->end(), has_form));
+  return object.extras->form ||
+         (object.children && std::any_of(object.children->begin(), object.children->end(), has_form));
+}
+
+/// Whether POV-Ray keeps it out of its bounding hierarchy.
+bool is_unbounded(const Solid& solid) {
+  constexpr double kUnboundedVolume = 2e10;
+  const Vec3 size = solid.box.size();
+  return !(size.x * size.y * size.z <= kUnboundedVolume);
 }
 
 }  // namespace
@@ -49,15 +56,18 @@ struct SceneBuilder::State {
   std::unique_ptr<Scene> scene = std::make_unique<Scene>();
   TextureTable textures;
   ObjectTable objects;
-  TexturePtr default_texture;  ///< of the object that is being added
-  std::uint32_t matter = 0;    ///< of that object: the interior that its topmost node will make
-  std::uint64_t size = 1;      ///< of the top-level solid at hand
+  TexturePtr default_texture;     ///< of the object that is being added
+  std::uint32_t matter = 0;       ///< of that object: the interior that its topmost node will make
+  std::uint64_t size = 1;         ///< of the top-level solid at hand
+  std::size_t unbounded_end = 0;  ///< behind the last solid that is_unbounded()
   bool has_camera = false;
+  Shared<Interior> surroundings;  ///< see air()
 
+  const Shared<Interior>& air();
   Inherited at_node(const Object& object, const Inherited& parent);
   void promote_finish(std::uint32_t texture, std::uint32_t interior);
   void link(const Object& object, const Inherited& parent);
-  void note_region(const std::shared_ptr<const std::vector<Object>>& objects);
+  void note_region(const ObjectList& objects);
   void note_form(const Form& form, const Inherited& node);
   void note_object(const std::shared_ptr<const Object>& object);
   void note_surfaces();
@@ -73,49 +83,55 @@ Inherited SceneBuilder::State::at_node(const Object& object, const Inherited& pa
   Inherited node = parent;
   node.to_world = object.placement.then(parent.to_world);
   if (object.texture) node.texture = textures.index_of(object.texture, object.texture_placement.then(parent.to_world));
-  if (object.interior_texture) {
-    node.interior_texture =
-        textures.index_of(object.interior_texture, object.interior_texture_placement.then(parent.to_world));
+  if (object.extras->interior_texture) {
+    node.interior_texture = textures.index_of(object.extras->interior_texture,
+                                              object.extras->interior_texture_placement.then(parent.to_world));
   }
   if (node.texture == kNoIndex && object.kind == Object::Kind::shape && default_texture) {
     node.texture = textures.index_of(default_texture, Transform());
   }
-  scene->unrendered.add(object.unrendered);
-  if (object.interior || node.interior == kNoIndex) {
-    Interior interior = object.interior.value_or(Interior());
-    if (!object.interior) interior.ior = scene->settings.atmosphere_ior;
+  scene->unrendered.add(object.extras->unrendered);
+  if (object.extras->interior || node.interior == kNoIndex) {
     node.interior = static_cast<std::uint32_t>(scene->interiors.size());
-    move(interior, parent.to_world);
-    gather(interior, scene->unrendered);
-    scene->interiors.push_back(std::move(interior));
+    scene->interiors.push_back(object.extras->interior ? moved(*object.extras->interior, parent.to_world) : air());
+    gather(*scene->interiors.back(), scene->unrendered);
   }
   if (node.texture != kNoIndex) promote_finish(node.texture, node.interior);
   node.hidden_from |= hidden_bits(object);
-  node.names = objects.within(parent.names, object.names);
+  node.names = objects.within(parent.names, object.extras->names);
   node.inverted = parent.inverted != object.inverted;
   node.double_illuminate |= object.double_illuminate;
   return node;
 }
 
+/// What is in objects of which nothing is said. All share it.
+const Shared<Interior>& SceneBuilder::State::air() {
+  const double ior = scene->settings.atmosphere_ior;
+  if (surroundings->ior != ior) surroundings.change().ior = ior;
+  return surroundings;
+}
+
 /// Old scenes give the index of refraction in the finish. Parts that share an interior share what the last of them
 /// says.
 void SceneBuilder::State::promote_finish(std::uint32_t texture, std::uint32_t interior) {
-  Interior& matter = scene->interiors[interior];
+  Shared<Interior>& matter = scene->interiors[interior];
   const Texture& look = textures.texture(texture);
   if (!look.layers.empty() && !look.layers.front().patterned) {
     const Finish& finish = look.layers.front().finish;
-    if (finish.legacy_ior > 0.0) matter.ior = finish.legacy_ior;
-    if (finish.legacy_caustics >= 0.0) matter.caustics = finish.legacy_caustics;
-    matter.refraction_scale = finish.legacy_refraction;
+    if (finish.legacy_ior > 0.0) matter.change().ior = finish.legacy_ior;
+    if (finish.legacy_caustics >= 0.0) matter.change().caustics = finish.legacy_caustics;
+    if (matter->refraction_scale != finish.legacy_refraction) {
+      matter.change().refraction_scale = finish.legacy_refraction;
+    }
   }
-  if (matter.ior == 0.0) matter.ior = scene->settings.atmosphere_ior;
+  if (matter->ior == 0.0) matter.change().ior = scene->settings.atmosphere_ior;
 }
 
 /// Makes top-level solids of `object`. A union that nothing cuts is nothing but its members: rays meet them faster one
 /// by one. They keep their order, for of members that meet a ray at equal depths POV-Ray shows the first.
 void SceneBuilder::State::link(const Object& object, const Inherited& parent) {
   const bool inverted = parent.inverted != object.inverted;
-  const bool cut = !is_empty(object.clipped_by) || !is_empty(object.bounded_by);
+  const bool cut = !is_empty(object.extras->clipped_by) || !is_empty(object.extras->bounded_by);
   if (object.kind != Object::Kind::shape && object.kind != Object::Kind::light && !cut &&
       solid_kind(object.kind, inverted) == Solid::Kind::union_) {
     if (is_empty(object.children)) return;
@@ -131,21 +147,22 @@ void SceneBuilder::State::link(const Object& object, const Inherited& parent) {
   }
   solid->matter = matter;
   scene->solids.push_back(std::move(*solid));
+  if (is_unbounded(scene->solids.back())) unbounded_end = scene->solids.size();
 }
 
 /// `object` as one solid, closed; nothing for a light, which goes to the scene's lights.
 std::optional<Solid> SceneBuilder::State::freeze(const Object& object, const Inherited& parent, bool top_level) {
   if (object.kind == Object::Kind::light) {
-    scene->unrendered.add(object.unrendered);
-    scene->unrendered.add(object.light.unrendered);
-    scene->lights.push_back(placed_with_objects(object.light, object.placement.then(parent.to_world)));
+    scene->unrendered.add(object.extras->unrendered);
+    scene->unrendered.add(object.extras->light->unrendered);
+    scene->lights.push_back(placed_with_objects(object.extras->light, object.placement.then(parent.to_world)));
     note_object(scene->lights.back().looks_like);
     note_object(scene->lights.back().projected_through);
-    scene->light_names.push_back(objects.names_of(objects.within(parent.names, object.names)));
+    scene->light_names.push_back(objects.names_of(objects.within(parent.names, object.extras->names)));
     return std::nullopt;
   }
   const Inherited node = at_node(object, parent);
-  if (object.form) note_form(*object.form, node);
+  if (object.extras->form) note_form(*object.extras->form, node);
   if (object.kind == Object::Kind::shape && !object.shape) return std::nullopt;
   Solid solid;
   solid.kind = solid_kind(object.kind, node.inverted);
@@ -154,26 +171,29 @@ std::optional<Solid> SceneBuilder::State::freeze(const Object& object, const Inh
     solid.shape = placed_shape(object, node.to_world, node.inverted);
     add_part(solid, object, node);
   } else if (object.children) {
-    solid.members.reserve(object.children->size());
+    std::vector<Solid> members;
+    members.reserve(object.children->size());
     for (const Object& child : *object.children) {
-      if (std::optional<Solid> member = freeze(child, node, false)) solid.members.push_back(std::move(*member));
+      if (std::optional<Solid> member = freeze(child, node, false)) members.push_back(std::move(*member));
     }
+    solid.set_members(std::move(members));
   }
-  note_region(object.clipped_by);
-  note_region(object.bounded_by);
-  solid.clips = regions(clips_of(object), node.to_world);
+  note_region(object.extras->clipped_by);
+  note_region(object.extras->bounded_by);
+  solid.set_clips(regions(clips_of(object), node.to_world));
   // POV-Ray drops the bounds of a simple shape at top level (Remove_Bounds), so there a wrong bound cuts nothing away.
-  if (!top_level || object.kind != Object::Kind::shape) solid.bounds = regions(bounds_of(object), node.to_world);
+  if (!top_level || object.kind != Object::Kind::shape) solid.set_bounds(regions(bounds_of(object), node.to_world));
   solid.close();
   return solid;
 }
 
 /// Clips and bounds are shapes without surfaces: only what they are made of counts.
-void SceneBuilder::State::note_region(const std::shared_ptr<const std::vector<Object>>& objects) {
+void SceneBuilder::State::note_region(const ObjectList& objects) {
   if (!objects) return;
   for (const Object& object : *objects) {
-    scene->unrendered.add(object.unrendered);
-    for (const auto* within : {&object.children, &object.clipped_by, &object.bounded_by}) note_region(*within);
+    scene->unrendered.add(object.extras->unrendered);
+    for (const auto* within : {&object.children, &object.extras->clipped_by, &object.extras->bounded_by})
+      note_region(*within);
   }
 }
 
@@ -219,16 +239,10 @@ void SceneBuilder::State::add_part(Solid& solid, const Object& object, const Inh
 /// objects before all others as soon as it uses its bounding hierarchy: from three objects and lights on.
 void SceneBuilder::State::order_solids() {
   constexpr std::size_t kBoundingThreshold = 3;
-  constexpr double kUnboundedVolume = 2e10;
   if (scene->solids.size() + scene->lights.size() < kBoundingThreshold) return;
-  const auto unbounded = [](const Solid& solid) {
-    const Vec3 size = solid.box.size();
-    return !(size.x * size.y * size.z <= kUnboundedVolume);
-  };
   // Most scenes have few, and partitioning takes as much memory again as what it works on.
-  auto end = scene->solids.end();
-  while (end != scene->solids.begin() && !unbounded(*std::prev(end))) --end;
-  std::stable_partition(scene->solids.begin(), end, unbounded);
+  const auto end = scene->solids.begin() + static_cast<std::ptrdiff_t>(unbounded_end);
+  std::stable_partition(scene->solids.begin(), end, is_unbounded);
 }
 
 void SceneBuilder::State::note_atmosphere() {
@@ -262,7 +276,7 @@ Settings& SceneBuilder::settings() { return state_->scene->settings; }
 const Settings& SceneBuilder::settings() const { return state_->scene->settings; }
 Atmosphere& SceneBuilder::atmosphere() { return state_->scene->atmosphere; }
 
-void SceneBuilder::add(Object object, TexturePtr default_texture) {
+void SceneBuilder::add(const Object& object, TexturePtr default_texture) {
   state_->default_texture = std::move(default_texture);
   state_->matter = static_cast<std::uint32_t>(state_->scene->interiors.size());
   state_->link(object, Inherited());

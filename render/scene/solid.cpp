@@ -1,7 +1,11 @@
 #include "render/scene/solid.h"
 
+#include "render/math/box_tree.h"
+
 #include <algorithm>
 #include <cstddef>
+#include <memory>
+#include <utility>
 
 namespace firstlight::render {
 namespace {
@@ -51,70 +55,137 @@ thread_local std::vector<std::uint32_t> members_to_ask;
 
 }  // namespace
 
-void Solid::close() {
-  switch (kind) {
-    case Kind::shape:
-      box = padded(shape->bounds(), kBoxRoom);
-      inside_box = padded(shape->inside_bounds(), kBoxRoom);
-      outside_box = padded(shape->outside_bounds(), kBoxRoom);
-      break;
-    case Kind::union_:
-    case Kind::merge:
-      box = Box3();
-      inside_box = Box3();
-      outside_box = boundless_box();
-      for (const Solid& member : members) {
-        box.extendBy(member.box);
-        inside_box.extendBy(member.inside_box);
-        outside_box = overlap(outside_box, member.outside_box);
-      }
-      break;
-    case Kind::intersection: {
-      // A crossing of one member counts only inside all others, so it lies where all of them reach.
-      inside_box = boundless_box();
-      outside_box = Box3();
-      for (const Solid& member : members) {
-        inside_box = overlap(inside_box, member.inside_box);
-        outside_box.extendBy(member.outside_box);
-      }
-      box = Box3();
-      for (const Solid& member : members) {
-        const Box3 part = overlap(member.box, inside_box);
-        if (!part.isEmpty()) box.extendBy(part);
-      }
-      break;
+/// What a solid is made of that is not plain.
+struct Solid::Structure {
+  /// Of many members: those whose surface a ray may meet, and those that may decide whether a point is inside.
+  struct MemberTrees {
+    BoxTree surface;
+    BoxTree deciding;
+  };
+
+  std::vector<Solid> members;
+  std::vector<Solid> clips;
+  std::vector<Solid> bounds;
+  Reach reach;                               // of the whole; filled by close(), as all below
+  std::vector<Reach> member_reaches;         // asked before the members
+  std::shared_ptr<const MemberTrees> trees;  // null for few members
+
+  void close_members(Kind kind, Box3& box);
+  void plant_trees(Kind kind);
+};
+
+/// Finds the boxes of what the members make together.
+void Solid::Structure::close_members(Kind kind, Box3& box) {
+  member_reaches.clear();
+  for (const Solid& member : members) member_reaches.push_back(member.reach());
+  box = Box3();
+  if (kind == Kind::intersection) {
+    // A crossing of one member counts only inside all others, so it lies where all of them reach.
+    reach = {boundless_box(), Box3()};
+    for (const Reach& member : member_reaches) {
+      reach.inside = overlap(reach.inside, member.inside);
+      reach.outside.extendBy(member.outside);
     }
+    for (const Solid& member : members) {
+      const Box3 part = overlap(member.box, reach.inside);
+      if (!part.isEmpty()) box.extendBy(part);
+    }
+  } else {
+    reach = {Box3(), boundless_box()};
+    for (const Reach& member : member_reaches) {
+      reach.inside.extendBy(member.inside);
+      reach.outside = overlap(reach.outside, member.outside);
+    }
+    for (const Solid& member : members) box.extendBy(member.box);
   }
-  for (const Solid& clip : clips) {
-    box = overlap(box, clip.inside_box);
-    inside_box = overlap(inside_box, clip.inside_box);
-    outside_box.extendBy(clip.outside_box);
-  }
-  trees_.reset();
-  if (members.size() >= kManyMembers) plant_trees();
+  trees.reset();
+  if (members.size() >= kManyMembers) plant_trees(kind);
 }
 
-void Solid::plant_trees() {
+void Solid::Structure::plant_trees(Kind kind) {
   std::vector<Box3> surface;
   std::vector<Box3> deciding;
-  for (const Solid& member : members) {
-    surface.push_back(member.box);
+  for (std::size_t i = 0; i < members.size(); ++i) {
+    surface.push_back(members[i].box);
     // Away from these boxes a point is outside every member of a union, or inside every member of an intersection.
-    deciding.push_back(kind == Kind::intersection ? member.outside_box : member.inside_box);
+    deciding.push_back(kind == Kind::intersection ? member_reaches[i].outside : member_reaches[i].inside);
   }
-  trees_ = std::make_shared<MemberTrees>(MemberTrees{BoxTree(surface), BoxTree(deciding)});
+  trees = std::make_shared<MemberTrees>(MemberTrees{BoxTree(surface), BoxTree(deciding)});
+}
+
+const std::vector<Solid>& Solid::members() const { return structure_->members; }
+const std::vector<Solid>& Solid::clips() const { return structure_->clips; }
+const std::vector<Solid>& Solid::bounds() const { return structure_->bounds; }
+
+void Solid::set_members(std::vector<Solid> members) {
+  if (!members.empty() || !is_plain()) structure_.change().members = std::move(members);
+}
+
+void Solid::set_clips(std::vector<Solid> clips) {
+  if (!clips.empty() || !is_plain()) structure_.change().clips = std::move(clips);
+}
+
+void Solid::set_bounds(std::vector<Solid> bounds) {
+  if (!bounds.empty() || !is_plain()) structure_.change().bounds = std::move(bounds);
+}
+
+Reach Solid::reach() const {
+  if (!is_plain()) return structure_->reach;
+  return {padded(shape->inside_bounds(), kBoxRoom), padded(shape->outside_bounds(), kBoxRoom)};
+}
+
+void Solid::close() {
+  if (kind == Kind::shape) {
+    box = padded(shape->bounds(), kBoxRoom);
+    if (is_plain()) return;
+    structure_.change().reach = {padded(shape->inside_bounds(), kBoxRoom), padded(shape->outside_bounds(), kBoxRoom)};
+  } else {
+    structure_.change().close_members(kind, box);
+  }
+  Structure& structure = structure_.change();
+  for (const Solid& clip : structure.clips) {
+    const Reach reach = clip.reach();
+    box = overlap(box, reach.inside);
+    structure.reach.inside = overlap(structure.reach.inside, reach.inside);
+    structure.reach.outside.extendBy(reach.outside);
+  }
+}
+
+/// Whether `point` is in a member; its boxes are asked first.
+bool Solid::member_holds(std::size_t index, const Vec3& point) const {
+  const Structure& structure = *structure_;
+  const Reach& reach = structure.member_reaches[index];
+  if (!reach.inside.intersects(point)) return false;
+  return !reach.outside.intersects(point) || structure.members[index].inside(point);
 }
 
 bool Solid::inside_all_members(const Vec3& point, const Solid* but) const {
-  const auto refuses = [&](const Solid& m) { return &m != but && !m.inside(point); };
-  if (trees_) return !trees_->deciding.any_around(point, [&](std::uint32_t i) { return refuses(members[i]); });
-  return std::none_of(members.begin(), members.end(), refuses);
+  const Structure& structure = *structure_;
+  const auto refuses = [&](std::size_t i) { return &structure.members[i] != but && !member_holds(i, point); };
+  if (structure.trees) return !structure.trees->deciding.any_around(point, refuses);
+  for (std::size_t i = 0; i < structure.members.size(); ++i) {
+    if (refuses(i)) return false;
+  }
+  return true;
 }
 
 bool Solid::inside_any_member(const Vec3& point, const Solid* but, std::uint8_t hiding) const {
-  const auto holds = [&](const Solid& m) { return &m != but && (m.hidden_from & hiding) == 0 && m.inside(point); };
-  if (trees_) return trees_->deciding.any_around(point, [&](std::uint32_t i) { return holds(members[i]); });
-  return std::any_of(members.begin(), members.end(), holds);
+  const Structure& structure = *structure_;
+  const auto holds = [&](std::size_t i) {
+    const Solid& member = structure.members[i];
+    return &member != but && (member.hidden_from & hiding) == 0 && member_holds(i, point);
+  };
+  if (structure.trees) return structure.trees->deciding.any_around(point, holds);
+  for (std::size_t i = 0; i < structure.members.size(); ++i) {
+    if (holds(i)) return true;
+  }
+  return false;
+}
+
+void Solid::add_shape_crossings(const Ray& ray, std::vector<Crossing>& out) const {
+  const std::size_t first = out.size();
+  shape->crossings(ray, out);
+  for (std::size_t i = first; i < out.size(); ++i) out[i].part = part;
 }
 
 void Solid::add_member_crossings(const Solid& member, const Ray& ray, std::uint8_t hidden_bit, std::uint8_t hiding,
@@ -127,43 +198,46 @@ void Solid::add_member_crossings(const Solid& member, const Ray& ray, std::uint8
   } else if (kind == Kind::merge) {
     keep_if(out, start, [&](const Crossing& c) { return !inside_any_member(ray.at(c.depth), &member, hiding); });
   }
-  if (kind != Kind::union_ || !clips.empty()) turn_around(out, start);
+  if (kind != Kind::union_ || !structure_->clips.empty()) turn_around(out, start);
 }
 
 void Solid::crossings(const Ray& ray, std::uint8_t hidden_bit, std::vector<Crossing>& out) const {
-  for (const Solid& bound : bounds) {
+  if (is_plain()) return add_shape_crossings(ray, out);
+  const Structure& structure = *structure_;
+  for (const Solid& bound : structure.bounds) {
     if (!reaches(ray, bound, hidden_bit, out)) return;
   }
   const std::size_t first = out.size();
-  if (kind == Kind::shape) {
-    shape->crossings(ray, out);
-    for (std::size_t i = first; i < out.size(); ++i) out[i].part = part;
-  }
+  if (kind == Kind::shape) add_shape_crossings(ray, out);
   const std::uint8_t hiding = kind == Kind::union_  ? kHidesInUnion & hidden_bit
                               : kind == Kind::merge ? kHidesInMerge & hidden_bit
                                                     : 0;
-  if (trees_) {
+  if (structure.trees) {
     const std::size_t mark = members_to_ask.size();
-    trees_->surface.met_by(ray, members_to_ask);
+    structure.trees->surface.met_by(ray, members_to_ask);
     // In the order of the members, which decides equal depths.
     std::sort(members_to_ask.begin() + static_cast<std::ptrdiff_t>(mark), members_to_ask.end());
     const std::size_t end = members_to_ask.size();
     for (std::size_t i = mark; i < end; ++i) {
-      add_member_crossings(members[members_to_ask[i]], ray, hidden_bit, hiding, out);
+      add_member_crossings(structure.members[members_to_ask[i]], ray, hidden_bit, hiding, out);
     }
     members_to_ask.resize(mark);
   } else {
-    for (const Solid& member : members) {
+    for (const Solid& member : structure.members) {
       if (meets(ray, member.box)) add_member_crossings(member, ray, hidden_bit, hiding, out);
     }
   }
-  if (!clips.empty()) keep_if(out, first, [&](const Crossing& c) { return inside_all(clips, ray.at(c.depth)); });
+  if (!structure.clips.empty()) {
+    keep_if(out, first, [&](const Crossing& c) { return inside_all(structure.clips, ray.at(c.depth)); });
+  }
 }
 
 bool Solid::inside(const Vec3& point) const {
-  if (!inside_box.intersects(point)) return false;
-  if (!outside_box.intersects(point)) return true;
-  if (!inside_all(clips, point)) return false;
+  if (is_plain()) return shape->inside(point);
+  const Structure& structure = *structure_;
+  if (!structure.reach.inside.intersects(point)) return false;
+  if (!structure.reach.outside.intersects(point)) return true;
+  if (!inside_all(structure.clips, point)) return false;
   switch (kind) {
     case Kind::shape:
       return shape->inside(point);

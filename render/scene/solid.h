@@ -1,12 +1,12 @@
 #pragma once
 
 #include "render/math/bounds.h"
-#include "render/math/box_tree.h"
+#include "render/math/shared.h"
 #include "render/math/vec.h"
 #include "render/shape/shape.h"
 
+#include <cstddef>
 #include <cstdint>
-#include <memory>
 #include <vector>
 
 namespace firstlight::render {
@@ -19,12 +19,19 @@ constexpr std::uint8_t kHiddenFromPrimary = 1;     ///< no_image
 constexpr std::uint8_t kHiddenFromReflection = 2;  ///< no_reflection
 constexpr std::uint8_t kHiddenFromShadow = 4;      ///< no_shadow
 
+/// Where the inside of a solid may be.
+struct Reach {
+  Box3 inside = boundless_box();   ///< every point outside of it is outside the solid
+  Box3 outside = boundless_box();  ///< every point outside of it is inside the solid
+};
+
 /// The frozen geometry of an object as rays meet it: one shape, or a combination whose crossings are filtered by its
 /// members. Unions without clips or bounds do not occur at top level: scene building dissolves them.
 ///
 /// Source   Which crossing counts is POV-Ray 3.7's rule: of an intersection, a crossing of one member that is inside
 ///          all others; of a merge, one that is inside none.
-/// Threads  Immutable.
+/// Memory   Small while it is plain; what other solids have besides is shared by their copies.
+/// Threads  Immutable once it is closed.
 class Solid {
  public:
   enum class Kind : std::uint8_t { shape, union_, intersection, merge };
@@ -34,17 +41,19 @@ class Solid {
   std::uint32_t part = 0;    ///< of Kind::shape: index into Scene::parts
   std::uint32_t matter = 0;  ///< at top level: index into Scene::interiors of the object that the solid belongs to
   ShapePtr shape;            ///< of Kind::shape
-  std::vector<Solid> members;
-  std::vector<Solid> clips;
-  std::vector<Solid> bounds;
   /// World bounds of what remains visible, with room for rounding; filled by close(). Empty: nothing remains.
   Box3 box = boundless_box();
-  /// Every point outside of it is outside the solid; filled by close().
-  Box3 inside_box = boundless_box();
-  /// Every point outside of it is inside the solid; filled by close().
-  Box3 outside_box = boundless_box();
 
-  /// Fills the boxes from the members; call once, bottom up, when the solid is complete.
+  const std::vector<Solid>& members() const;
+  const std::vector<Solid>& clips() const;
+  const std::vector<Solid>& bounds() const;
+  void set_members(std::vector<Solid> members);
+  void set_clips(std::vector<Solid> clips);
+  void set_bounds(std::vector<Solid> bounds);
+  /// Whether it is one shape that nothing cuts or bounds, as most solids are.
+  bool is_plain() const { return kind == Kind::shape && structure_.is_initial(); }
+
+  /// Fills the boxes from the shape or the members; call bottom up, when the solid is complete.
   void close();
 
   /// Appends all crossings that belong to the solid's surface. `hidden_bit` is the bit of the asking ray's kind; it
@@ -53,19 +62,17 @@ class Solid {
   bool inside(const Vec3& point) const;
 
  private:
-  /// Of many members: those whose surface a ray may meet, and those that may decide whether a point is inside.
-  struct MemberTrees {
-    BoxTree surface;
-    BoxTree deciding;
-  };
+  struct Structure;
 
-  void plant_trees();
+  Reach reach() const;
+  void add_shape_crossings(const Ray& ray, std::vector<Crossing>& out) const;
   void add_member_crossings(const Solid& member, const Ray& ray, std::uint8_t hidden_bit, std::uint8_t hiding,
                             std::vector<Crossing>& out) const;
+  bool member_holds(std::size_t index, const Vec3& point) const;
   bool inside_all_members(const Vec3& point, const Solid* but) const;
   bool inside_any_member(const Vec3& point, const Solid* but, std::uint8_t hiding) const;
 
-  std::shared_ptr<const MemberTrees> trees_;  ///< null for few members
+  Shared<Structure> structure_;
 };
 
 }  // namespace firstlight::render

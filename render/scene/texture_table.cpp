@@ -20,32 +20,55 @@ SurfaceKind surface_kind(const Texture& texture) {
   return SurfaceKind::plain;
 }
 
-}  // namespace
-
-std::size_t TextureTable::KeyHash::operator()(const Key& key) const {
-  std::uint64_t hash = std::hash<const Texture*>()(key.texture);
+/// The same for equal textures and places. Textures lie in memory about as they were made and are asked for in that
+/// order, so neighbours get neighbouring slots, a stretch at a time: the table is walked through, not jumped about in.
+std::size_t hash_of(const Texture* texture, const Transform& place) {
+  constexpr std::uint64_t kFactor = 0x9e3779b97f4a7c15u;
+  const std::uint64_t address = std::hash<const Texture*>()(texture);
+  std::uint64_t hash = (address >> 5) + (address >> 16) * kFactor;
+  if (place.is_identity()) return static_cast<std::size_t>(hash);
   for (int row = 0; row < 4; ++row) {
     for (int column = 0; column < 3; ++column) {
-      const double number = key.to_world[row][column] + 0.0;  // -0 and 0 are equal, so they must hash alike
-      hash = (hash ^ std::bit_cast<std::uint64_t>(number)) * 0x9e3779b97f4a7c15u;
+      const double number = place.matrix()[row][column] + 0.0;  // -0 and 0 are equal, so they must hash alike
+      hash = (hash ^ std::bit_cast<std::uint64_t>(number)) * kFactor;
       hash ^= hash >> 29;
     }
   }
   return static_cast<std::size_t>(hash);
 }
 
-std::uint32_t TextureTable::index_of(const TexturePtr& texture, const Transform& to_world) {
-  if (const auto known = plain_.find(texture.get()); known != plain_.end()) return known->second;
-  if (is_plain(*texture)) return plain_[texture.get()] = enter(texture, Transform());
-  const auto [found, is_new] = patterned_.try_emplace({texture.get(), to_world.matrix()}, 0u);
-  if (is_new) found->second = enter(texture, to_world);
-  return found->second;
+}  // namespace
+
+/// Pre: there are slots. Their number is a power of 2.
+std::size_t TextureTable::home_of(const Texture* texture, const Transform& place) const {
+  return hash_of(texture, place) & (slots_.size() - 1);
 }
 
-std::uint32_t TextureTable::enter(const TexturePtr& texture, const Transform& to_world) {
-  entries_.push_back({texture, to_world.inverse()});
+/// Keeps at least half of the slots free.
+void TextureTable::grow() {
+  constexpr std::size_t kFirstSize = 16;
+  if (2 * (entries_.size() + 1) <= slots_.size()) return;
+  const std::size_t size = slots_.empty() ? kFirstSize : 2 * slots_.size();
+  slots_.assign(size, kNoIndex);
+  for (std::uint32_t i = 0; i < entries_.size(); ++i) {
+    std::size_t slot = home_of(entries_[i].texture.get(), entries_[i].to_texture.inverse());
+    while (slots_[slot] != kNoIndex) slot = (slot + 1) & (size - 1);
+    slots_[slot] = i;
+  }
+}
+
+std::uint32_t TextureTable::index_of(const TexturePtr& texture, const Transform& to_world) {
+  grow();
+  const Transform place = is_plain(*texture) ? Transform() : to_world;
+  std::size_t slot = home_of(texture.get(), place);
+  for (; slots_[slot] != kNoIndex; slot = (slot + 1) & (slots_.size() - 1)) {
+    const PlacedTexture& entry = entries_[slots_[slot]];
+    if (entry.texture == texture && entry.to_texture.inverse_matrix() == place.matrix()) return slots_[slot];
+  }
+  slots_[slot] = static_cast<std::uint32_t>(entries_.size());
+  entries_.push_back({texture, place.inverse()});
   kinds_.push_back(surface_kind(*texture));
-  return static_cast<std::uint32_t>(entries_.size() - 1);
+  return slots_[slot];
 }
 
 }  // namespace firstlight::render

@@ -3,14 +3,16 @@
 #include "render/scene/object_group.h"
 #include "render/scene/scene.h"
 
+#include <cstddef>
 #include <cstdint>
-#include <unordered_map>
 #include <vector>
 
 namespace firstlight::render {
 
 /// Numbers the textures of a scene while it is built: one entry for each texture in each place. Textures without
 /// patterns look the same everywhere, so one entry serves all their places.
+///
+/// Memory   Beside the entries themselves a few bytes each: the table that finds them holds only their numbers.
 class TextureTable {
  public:
   /// The entry of `texture`, placed by `to_world`. Pre: not null.
@@ -21,22 +23,12 @@ class TextureTable {
   std::vector<PlacedTexture> take() { return std::move(entries_); }
 
  private:
-  std::uint32_t enter(const TexturePtr& texture, const Transform& to_world);
-
-  struct Key {
-    const Texture* texture;
-    Mat4 to_world;
-
-    bool operator==(const Key&) const = default;
-  };
-  struct KeyHash {
-    std::size_t operator()(const Key& key) const;
-  };
+  std::size_t home_of(const Texture* texture, const Transform& place) const;
+  void grow();
 
   std::vector<PlacedTexture> entries_;
   std::vector<SurfaceKind> kinds_;
-  std::unordered_map<const Texture*, std::uint32_t> plain_;
-  std::unordered_map<Key, std::uint32_t, KeyHash> patterned_;
+  std::vector<std::uint32_t> slots_;  // entries by hash, each at its home or, where that is taken, at the next free one
 };
 
 }  // namespace firstlight::render

@@ -4,8 +4,14 @@
 
 namespace firstlight::render {
 
-void move(Interior& interior, const Transform& transform) {
-  for (Media& media : interior.media) move(media, transform);
+void move(Shared<Interior>& interior, const Transform& transform) {
+  if (interior->media.empty() || transform.is_identity()) return;
+  for (Media& media : interior.change().media) move(media, transform);
+}
+
+Shared<Interior> moved(Shared<Interior> interior, const Transform& transform) {
+  move(interior, transform);
+  return interior;
 }
 
 void gather(const Interior& interior, FeatureUses& uses) {

@@ -2,6 +2,7 @@
 
 #include "render/feature/feature.h"
 #include "render/math/color.h"
+#include "render/math/shared.h"
 #include "render/texture/media.h"
 
 #include <vector>
@@ -24,7 +25,9 @@ struct Interior {
 };
 
 /// Moves the media on.
-void move(Interior& interior, const Transform& transform);
+void move(Shared<Interior>& interior, const Transform& transform);
+/// The same of a copy.
+Shared<Interior> moved(Shared<Interior> interior, const Transform& transform);
 /// Adds what the interior asks for that cannot be rendered.
 void gather(const Interior& interior, FeatureUses& uses);
 /// Levels of descriptions in it.

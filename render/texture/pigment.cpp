@@ -43,18 +43,30 @@ bool lets_light_through(const FilteredColor& color) {
 
 }  // namespace
 
+void make_plain(Pigment& pigment) {
+  // Most pigments are nothing else, so they share the pattern that says so.
+  static const Shared<Patterning> single_color(patterned(PatternKind::plain));
+  if (pigment.pattern.is_initial() || pigment.pattern.is_same(single_color)) {
+    pigment.pattern = single_color;
+    return;
+  }
+  Patterning& pattern = pigment.pattern.change();
+  pattern.kind = PatternKind::plain;
+  pattern.field = nullptr;
+}
+
 const ColorMap& map_of(const Pigment& pigment) {
-  return pigment.map.empty() ? default_map(pigment.pattern.kind) : pigment.map;
+  return pigment.map.empty() ? default_map(pigment.pattern->kind) : pigment.map;
 }
 
 FilteredColor color_at(const Pigment& pigment, const Vec3& point) {
-  if (!pigment.pattern.field) return pigment.color;
-  return look_up(map_of(pigment), shaped(pigment.pattern.wave, value_at(pigment.pattern, point)));
+  if (!pigment.pattern->field) return pigment.color;
+  return look_up(map_of(pigment), shaped(pigment.pattern->wave, value_at(pigment.pattern, point)));
 }
 
 bool lets_light_through(const Pigment& pigment) {
-  if (!is_patterned(pigment.pattern.kind)) return lets_light_through(pigment.color);
-  if (is_image(pigment.pattern.kind)) return true;
+  if (!is_patterned(pigment.pattern->kind)) return lets_light_through(pigment.color);
+  if (is_image(pigment.pattern->kind)) return true;
   if (pigment.pigments) return pigment.pigments->translucent;
   const ColorMap& map = map_of(pigment);
   return std::any_of(map.begin(), map.end(),
@@ -62,7 +74,7 @@ bool lets_light_through(const Pigment& pigment) {
 }
 
 void gather(const Pigment& pigment, FeatureUses& uses) {
-  if (!is_patterned(pigment.pattern.kind)) return;
+  if (!is_patterned(pigment.pattern->kind)) return;
   gather(pigment.pattern, uses);
   if (pigment.pigments) uses.add(pigment.pigments->unrendered);
 }

@@ -2,6 +2,7 @@
 
 #include "render/feature/feature.h"
 #include "render/math/color.h"
+#include "render/math/shared.h"
 #include "render/texture/patterning.h"
 
 #include <memory>
@@ -23,11 +24,14 @@ using PigmentMap = BlendMap<Pigment>;
 /// Colour of a surface at a point: one colour, or a pattern through a map of colours or of pigments. Plain data.
 struct Pigment {
   FilteredColor color = {};  ///< of PatternKind::plain; nothing said means black
-  Patterning pattern = {};
+  Shared<Patterning> pattern = {};
   ColorMap map = {};                                ///< empty: the pattern's own, see map_of()
   std::shared_ptr<const PigmentMap> pigments = {};  ///< instead of `map`; with uv_mapping and average the only form
   std::optional<FilteredColor> quick_color = {};    ///< shown by quick previews; not by pictures
 };
+
+/// Makes it one of a single colour, whatever pattern it had; `color` is the caller's to set.
+void make_plain(Pigment& pigment);
 
 /// The colours that show: the pigment's map, or what POV-Ray gives the pattern when there is none.
 const ColorMap& map_of(const Pigment& pigment);

@@ -13,14 +13,14 @@ bool is_opaque(const Texture& texture) {
 
 bool is_plain(const Texture& texture) {
   return std::none_of(texture.layers.begin(), texture.layers.end(), [](const TextureLayer& layer) {
-    return layer.patterned || layer.normal || is_patterned(layer.pigment.pattern.kind);
+    return layer.patterned || layer.normal || is_patterned(layer.pigment.pattern->kind);
   });
 }
 
 std::uint32_t depth_of(const Texture& texture) {
   std::uint32_t depth = 0;
   for (const TextureLayer& layer : texture.layers) {
-    depth = std::max(depth, layer.pigment.pattern.depth);
+    depth = std::max(depth, layer.pigment.pattern->depth);
     if (layer.normal) depth = std::max(depth, layer.normal->pattern.depth);
     if (layer.patterned) depth = std::max(depth, layer.patterned->pattern.depth);
   }
@@ -37,7 +37,7 @@ TexturePtr moved(const TexturePtr& texture, const Transform& transform) {
       layer.patterned = std::move(pattern);
       continue;
     }
-    layer.pigment.pattern.warps.transform(transform);
+    layer.pigment.pattern.change().warps.transform(transform);
     if (!layer.normal) continue;
     auto normal = std::make_shared<Normal>(*layer.normal);
     normal->pattern.warps.transform(transform);
@@ -55,7 +55,7 @@ void gather(const Texture& texture, FeatureUses& uses) {
     }
     gather(layer.pigment, uses);
     if (layer.normal) gather(*layer.normal, uses);
-    gather(layer.finish, uses);
+    gather(*layer.finish, uses);
   }
 }
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "render/math/shared.h"
 #include "render/texture/finish.h"
 #include "render/texture/normal.h"
 #include "render/texture/pigment.h"
@@ -22,7 +23,7 @@ struct TexturePattern {
 
 struct TextureLayer {
   Pigment pigment;
-  Finish finish;
+  Shared<Finish> finish;
   std::shared_ptr<const Normal> normal = {};  ///< null: even
   bool keeps_bump_size = false;               ///< no_bump_scale, for all normals in the layer
   /// When not null, the layer is made of this alone, and has no pigment, normal or finish of its own.

@@ -100,7 +100,7 @@ void Stepper::meet_layers(Surface& surface, std::size_t hit, std::uint32_t textu
       const Rgb reflection = reflectivity(surface, hit, layer, color.rgb, adc_weight);
       mirrors_.push_back({&layer, reflection, adc_weight, k});
       ++surface.mirror_count;
-      if (layer.source->finish.conserve_energy) {
+      if (layer.source->finish->conserve_energy) {
         const Rgb kept = Rgb(1.0f) - reflection;
         passed *= Rgb(std::min(1.0f, kept.x), std::min(1.0f, kept.y), std::min(1.0f, kept.z));
       }
@@ -214,7 +214,7 @@ Rgb Stepper::reflectivity(const Surface& surface, std::size_t hit, const Surface
     adc_weight *= layer.strongest;
     return layer.reflection;
   }
-  const Finish& finish = layer.source->finish;
+  const Finish& finish = *layer.source->finish;
   const double cosine = steepness(hit);
   Rgb reflected;
   if (finish.reflection_fresnel) {
@@ -250,9 +250,9 @@ double Stepper::relative_ior(const Surface& surface) const {
   const Scene& scene = context_.scene;
   const MediumTable& media = context_.media;
   const std::uint32_t medium = surface.task->medium;
-  const double ior = scene.interiors[surface.part->interior].ior;
+  const double ior = scene.interiors[surface.part->interior]->ior;
   if (medium == MediumTable::kOutside) return ior / scene.settings.atmosphere_ior;
-  const double around = scene.interiors[media.innermost(medium)].ior;
+  const double around = scene.interiors[media.innermost(medium)]->ior;
   if (!media.contains(medium, surface.part->interior)) return ior / around;
   return (media.depth(medium) == 1 ? scene.settings.atmosphere_ior : around) / ior;
 }
@@ -268,7 +268,7 @@ void Stepper::spawn_reflections(std::size_t hit) {
     child.radiance.adc_weight = static_cast<float>(mirror.adc_weight);
     child.flags |= RayTask::kReflected;
     child.path = mixed(surface.task->path, 0x10000u + mirror.number);
-    const double exponent = mirror.layer->source->finish.reflection_exponent;
+    const double exponent = mirror.layer->source->finish->reflection_exponent;
     if (exponent == 1.0) {
       end_ray(surface);
       continue;
@@ -297,12 +297,12 @@ bool Stepper::spawn_transmission(std::size_t hit) {
   } else if (media.innermost(around) == own) {
     child.medium = media.left(around, own);
     const double beyond = child.medium == MediumTable::kOutside ? scene.settings.atmosphere_ior
-                                                                : scene.interiors[media.innermost(child.medium)].ior;
+                                                                : scene.interiors[media.innermost(child.medium)]->ior;
     ior = interior.ior / beyond;
   } else if (media.contains(around, own)) {
     child.medium = media.left(around, own);
   } else {
-    ior = scene.interiors[media.innermost(around)].ior / interior.ior;
+    ior = scene.interiors[media.innermost(around)]->ior / interior.ior;
     child.medium = media.entered(around, own);
   }
 

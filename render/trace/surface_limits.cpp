@@ -55,13 +55,13 @@ struct PigmentLimits {
   Channels body{};              ///< most of colour times opacity: what its own and its diffuse light are multiplied by
 
   PigmentLimits(const Pigment& pigment, int language_version) : old_opacity_(language_version < 370) {
-    if (!pigment.pattern.field) {
+    if (!pigment.pattern->field) {
       include(pigment.color, pigment.color, 0.0);
     } else {
       const ColorMap& map = map_of(pigment);
       for (const ColorMapEntry& entry : map) include(entry.color, entry.color, 0.0);
-      const Wave& wave = pigment.pattern.wave;  // a list's places are whole numbers, unless a wave moves them
-      const bool blends = !is_list(pigment.pattern.kind) || wave.frequency != 0.0 || wave.form != WaveForm::ramp;
+      const Wave& wave = pigment.pattern->wave;  // a list's places are whole numbers, unless a wave moves them
+      const bool blends = !is_list(pigment.pattern->kind) || wave.frequency != 0.0 || wave.form != WaveForm::ramp;
       for (std::size_t i = 1; blends && i < map.size(); ++i) {
         include(map[i - 1].color, map[i].color, kBlendError);
       }
@@ -169,7 +169,7 @@ void Maker::look_at_matter() {
   for (const Part& part : scene_.parts) {
     if (!part.opaque) clear.insert(part.interior);
   }
-  if (clear.size() != 1 || is_air(scene_.interiors[*clear.begin()].ior)) return;
+  if (clear.size() != 1 || is_air(scene_.interiors[*clear.begin()]->ior)) return;
   goes_straight_ = std::ranges::any_of(scene_.solids, [&](const Solid& solid) {
     return !clear.contains(solid.matter) && solid.inside(scene_.camera.location);
   });

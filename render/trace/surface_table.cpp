@@ -21,7 +21,7 @@ SurfaceTable::SurfaceTable(const Scene& scene)
 }
 
 SurfaceLayer SurfaceTable::prepared(const TextureLayer& layer) const {
-  const Finish& finish = layer.finish;
+  const Finish& finish = *layer.finish;
   SurfaceLayer surface;
   surface.source = &layer;
   surface.own_light = finish.ambient * ambient_light_ + finish.emission;
@@ -40,7 +40,7 @@ SurfaceLayer SurfaceTable::prepared(const TextureLayer& layer) const {
                                                  !finish.reflection_fresnel && finish.reflection_metallic == 0.0);
   if (surface.is_even_mirror) surface.reflection = finish.reflection_max;
 
-  surface.is_plain = !layer.pigment.pattern.field;
+  surface.is_plain = !layer.pigment.pattern->field;
   if (surface.is_plain) surface.color = color(surface, layer.pigment.color);
   return surface;
 }

@@ -54,7 +54,7 @@ inline render::Object object_of(std::string_view text) {
 template <class T>
 T form_of(std::string_view text) {
   const render::Object object = object_of(text);
-  const T* form = object.form ? std::get_if<T>(&object.form->shape) : nullptr;
+  const T* form = object.extras->form ? std::get_if<T>(&object.extras->form->shape) : nullptr;
   EXPECT_TRUE(form) << text;
   return form ? *form : T();
 }

@@ -47,12 +47,12 @@ TEST(ParseIsosurface, AllItsWordsAreRead) {
 
 TEST(ParseIsosurface, ValuesWithoutSenseBecomeTheDefault) {
   const ParsedObject parsed = parsed_object("isosurface { function { x } accuracy 0 max_gradient -1 max_trace 99 }");
-  const auto& form = std::get<IsosurfaceForm>(parsed.object->form->shape);
+  const auto& form = std::get<IsosurfaceForm>(parsed.object->extras->form->shape);
   EXPECT_EQ(form.accuracy, 0.001);
   EXPECT_EQ(form.max_gradient, 1.1);
   EXPECT_EQ(form.max_trace, 10);
   EXPECT_NE(parsed.warnings.find("'accuracy' must be above 0"), std::string::npos);
-  EXPECT_EQ(spelled(parsed.object->unrendered), "isosurface");
+  EXPECT_EQ(spelled(parsed.object->extras->unrendered), "isosurface");
   EXPECT_NE(parsed_object("isosurface { box { -1, 1 } }").errors.find("'function'"), std::string::npos);
 }
 

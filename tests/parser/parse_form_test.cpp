@@ -61,7 +61,7 @@ TEST(ParseForm, OvusWithATooLargeTopIsASphere) {
   const ParsedObject sphere = parsed_object("ovus { 1, 3 }");
   EXPECT_NE(sphere.warnings.find("the shape is a sphere"), std::string::npos);
   EXPECT_TRUE(sphere.object->shape);
-  EXPECT_TRUE(sphere.object->unrendered.empty());
+  EXPECT_TRUE(sphere.object->extras->unrendered.empty());
   EXPECT_TRUE(sphere.object->shape->inside(Vec3(0, 3.9, 0)));
   EXPECT_NE(parsed_object("ovus { -1, 3 }").errors.find("must be positive"), std::string::npos);
 }
@@ -142,19 +142,19 @@ TEST(ParseForm, PrismTakesSplineSweepAndHeights) {
 TEST(ParseForm, LinearPrismThatIsNotClosedIsClosedWithAWarning) {
   const ParsedObject one = parsed_object("prism { 0, 1, 3, <0, 0>, <1, 0>, <0, 1> }");
   EXPECT_NE(one.warnings.find("it is closed"), std::string::npos);
-  const auto& form = std::get<render::PrismForm>(one.object->form->shape);
+  const auto& form = std::get<render::PrismForm>(one.object->extras->form->shape);
   EXPECT_EQ(form.points.back(), Vec2(0, 0));
   const ParsedObject two = parsed_object("prism { 0, 1, 7, <0, 0>, <1, 0>, <0, 1>, <0, 0>, <2, 2>, <3, 2>, <2, 3> }");
-  EXPECT_EQ(std::get<render::PrismForm>(two.object->form->shape).points.back(), Vec2(2, 2));
+  EXPECT_EQ(std::get<render::PrismForm>(two.object->extras->form->shape).points.back(), Vec2(2, 2));
 }
 
 TEST(ParseForm, CurvedPrismThatIsNotClosedIsLeftOut) {
   const ParsedObject cubic =
       parsed_object("prism { cubic_spline 0, 1, 6, <0, 0>, <1, 0>, <1, 1>, <0, 1>, <2, 1>, <3, 3> }");
   EXPECT_NE(cubic.warnings.find("left out"), std::string::npos);
-  EXPECT_FALSE(cubic.object->form);
+  EXPECT_FALSE(cubic.object->extras->form);
   const ParsedObject bezier = parsed_object("prism { bezier_spline 0, 1, 4, <0, 0>, <1, 0>, <1, 1>, <0, 1> }");
-  EXPECT_FALSE(bezier.object->form);
+  EXPECT_FALSE(bezier.object->extras->form);
 }
 
 TEST(ParseForm, PolygonIsClosedWithAWarning) {
@@ -162,7 +162,7 @@ TEST(ParseForm, PolygonIsClosedWithAWarning) {
   EXPECT_EQ(closed.points.size(), 4u);
   const ParsedObject open = parsed_object("polygon { 3, 0, x, y }");
   EXPECT_NE(open.warnings.find("not closed"), std::string::npos);
-  EXPECT_EQ(std::get<render::PolygonForm>(open.object->form->shape).points.size(), 4u);
+  EXPECT_EQ(std::get<render::PolygonForm>(open.object->extras->form->shape).points.size(), 4u);
   EXPECT_NE(parsed_object("polygon { 2, 0, x }").errors.find("at least 3"), std::string::npos);
 }
 
@@ -170,7 +170,7 @@ TEST(ParseForm, PolygonThatIsNotFlatIsLeftOut) {
   for (const char* points : {"4, 0, x, 2*x, 0", "5, 0, x, x + y, y + z, 0"}) {
     const ParsedObject parsed = parsed_object("polygon { " + std::string(points) + " }");
     EXPECT_NE(parsed.warnings.find("left out"), std::string::npos) << points;
-    EXPECT_FALSE(parsed.object->form);
+    EXPECT_FALSE(parsed.object->extras->form);
   }
 }
 
@@ -193,7 +193,7 @@ TEST(ParseForm, BicubicPatchTakesItsWordsAndPoints) {
       "bicubic_patch { type 1 flatness 0.1 u_steps 3 v_steps 4 accuracy 0.05 "
       "uv_vectors <0, 0>, <2, 0>, <2, 2>, <0, 2>" +
       points);
-  const auto& form = std::get<render::BicubicPatchForm>(object.form->shape);
+  const auto& form = std::get<render::BicubicPatchForm>(object.extras->form->shape);
   EXPECT_TRUE(object.patch);
   EXPECT_EQ(form.type, 1);
   EXPECT_EQ(form.flatness, 0.1);
@@ -246,7 +246,7 @@ TEST(ParseForm, BlobTakesComponentsWithSurfacesOfTheirOwn) {
   EXPECT_EQ(cylinder.kind, render::BlobForm::Component::Kind::cylinder);
   EXPECT_EQ(cylinder.end, Vec3(0, 1, 0));
   EXPECT_EQ(cylinder.strength, -1.0);
-  EXPECT_EQ(cylinder.texture->layers.front().finish.phong, 1.0);
+  EXPECT_EQ(cylinder.texture->layers.front().finish->phong, 1.0);
   EXPECT_EQ(form.components[2].center, Vec3(1, 2, 3));
   EXPECT_EQ(form.components[2].strength, 1.0);
   EXPECT_EQ(form.components[2].radius, 2.0);
@@ -282,7 +282,7 @@ TEST(ParseForm, DescribedShapeTakesModifiersAsAnyObject) {
   EXPECT_TRUE(object.inverted);
   EXPECT_TRUE(object.hollow);
   EXPECT_EQ(object.word, "prism");
-  EXPECT_EQ(spelled(object.unrendered), "prism");
+  EXPECT_EQ(spelled(object.extras->unrendered), "prism");
 }
 
 }  // namespace

@@ -6,7 +6,9 @@ namespace {
 using render::Light;
 using render::Vec3;
 
-Light light_of(const std::string& rest) { return object_of("light_source { <1, 2, 3>, rgb 1 " + rest + " }").light; }
+Light light_of(const std::string& rest) {
+  return object_of("light_source { <1, 2, 3>, rgb 1 " + rest + " }").extras->light;
+}
 std::string mistake(const std::string& rest) { return parsed_object("light_source { 0, rgb 1 " + rest + " }").errors; }
 
 TEST(ParseLight, DefaultsArePovRays) {

@@ -31,8 +31,8 @@ TEST(ParseMap, PigmentMapsHoldPigments) {
   ASSERT_EQ(pigment.pigments->entries.size(), 3u);
   EXPECT_EQ(pigment.pigments->entries[0].value.color.rgb, Rgb(1, 0, 0));
   EXPECT_EQ(pigment.pigments->entries[1].position, 0.25);
-  EXPECT_EQ(pigment.pigments->entries[1].value.pattern.kind, PatternKind::marble);
-  EXPECT_EQ(pigment.pattern.depth, 1u);
+  EXPECT_EQ(pigment.pigments->entries[1].value.pattern->kind, PatternKind::marble);
+  EXPECT_EQ(pigment.pattern->depth, 1u);
   EXPECT_EQ(unrendered("sphere { 0, 1 pigment { gradient x pigment_map { [0 rgb 1] [1 granite] } } }"),
             "pigment_map granite ");
 }
@@ -50,13 +50,13 @@ TEST(ParseMap, DeclaredMapsCanBeUsed) {
   EXPECT_EQ(layer_of(*scene, 2).normal->slopes->entries[1].value.height, 1.0);
   const auto& textures = layer_of(*scene, 3).patterned->textures->entries;
   EXPECT_EQ(textures[0].value->layers[0].pigment.color.rgb, Rgb(0, 0, 1));
-  EXPECT_EQ(textures[1].value->layers[0].finish.phong, 1.0);
+  EXPECT_EQ(textures[1].value->layers[0].finish->phong, 1.0);
 }
 
 TEST(ParseMap, AverageHasWeights) {
   const auto pigment = pigment_of("average pigment_map { [rgb x] [2 rgb y] [3, bozo] }");
   ASSERT_TRUE(pigment.pigments);
-  EXPECT_EQ(pigment.pattern.kind, PatternKind::average);
+  EXPECT_EQ(pigment.pattern->kind, PatternKind::average);
   EXPECT_EQ(pigment.pigments->entries[0].position, 1.0);
   EXPECT_EQ(pigment.pigments->entries[1].position, 2.0);
   EXPECT_EQ(pigment.pigments->entries[2].position, 3.0);
@@ -66,7 +66,7 @@ TEST(ParseMap, AverageHasWeights) {
 TEST(ParseMap, ListsOfPatternedPigmentsArePigmentMaps) {
   const auto pigment = pigment_of("checker pigment { bozo } pigment { rgb 1 }");
   ASSERT_TRUE(pigment.pigments);
-  EXPECT_EQ(pigment.pigments->entries[0].value.pattern.kind, PatternKind::bozo);
+  EXPECT_EQ(pigment.pigments->entries[0].value.pattern->kind, PatternKind::bozo);
   EXPECT_EQ(pigment.pigments->entries[1].value.color.rgb, Rgb(1));
   EXPECT_EQ(unrendered("sphere { 0, 1 pigment { checker pigment { bozo } } }"), "bozo list of pigments ");
 }
@@ -74,8 +74,8 @@ TEST(ParseMap, ListsOfPatternedPigmentsArePigmentMaps) {
 TEST(ParseMap, UvMappingHoldsOneItem) {
   const auto pigment = pigment_of("uv_mapping checker rgb 1 rgb 0");
   ASSERT_TRUE(pigment.pigments);
-  EXPECT_EQ(pigment.pattern.kind, PatternKind::uv_mapping);
-  EXPECT_EQ(pigment.pigments->entries.at(0).value.pattern.kind, PatternKind::checker);
+  EXPECT_EQ(pigment.pattern->kind, PatternKind::uv_mapping);
+  EXPECT_EQ(pigment.pigments->entries.at(0).value.pattern->kind, PatternKind::checker);
   EXPECT_EQ(normal_of("uv_mapping bumps 2").normals->entries.at(0).value.amount, 2.0);
   const auto texture = texture_pattern_of("uv_mapping pigment { rgb x }");
   EXPECT_EQ(texture.pattern.kind, PatternKind::uv_mapping);
@@ -119,7 +119,7 @@ TEST(ParseImage, ImageMapsTellHowTheyAreLaid) {
       pigment_of("image_map { png " + file.quoted() +
                  " gamma srgb premultiplied on map_type 1 once interpolate 2 filter all 0.5 transmit 3, 0.25 use_index "
                  "repeat <2, 3> offset <0.5, 0> }");
-  EXPECT_EQ(pigment.pattern.kind, PatternKind::image_map);
+  EXPECT_EQ(pigment.pattern->kind, PatternKind::image_map);
   const render::ImageUse& image = *parameters<render::ImageParameters>(pigment.pattern).image;
   EXPECT_EQ(image.source.format, render::ImageSource::Format::png);
   EXPECT_EQ(image.source.gamma, render::ImageSource::Gamma::srgb);

@@ -50,7 +50,7 @@ TEST(ParseMesh, InsideVectorMakesItASolid) {
   const render::Object solid = object_of("mesh { triangle { 0, x, y } inside_vector 2*z }");
   EXPECT_TRUE(open.patch);
   EXPECT_FALSE(solid.patch);
-  EXPECT_EQ(std::get<MeshForm>(solid.form->shape).inside_vector, Vec3(0, 0, 1));
+  EXPECT_EQ(std::get<MeshForm>(solid.extras->form->shape).inside_vector, Vec3(0, 0, 1));
   EXPECT_TRUE(object_of("mesh { triangle { 0, x, y } inside_vector 0 }").patch);
 }
 
@@ -63,7 +63,7 @@ TEST(ParseMesh, DegenerateTrianglesAreDropped) {
 TEST(ParseMesh, ZeroNormalsAreReplacedWithOneWarning) {
   const ParsedObject parsed = parsed_object("mesh { smooth_triangle { 0, 0, x, 0, y, z } }");
   EXPECT_EQ(parsed.warnings, "a normal of a mesh is zero; it is taken as <1, 0, 0>\n");
-  EXPECT_EQ(std::get<MeshForm>(parsed.object->form->shape).normals[0], Imath::V3f(1, 0, 0));
+  EXPECT_EQ(std::get<MeshForm>(parsed.object->extras->form->shape).normals[0], Imath::V3f(1, 0, 0));
 }
 
 TEST(ParseMesh, TexturesOfTrianglesMustBeDeclared) {
@@ -124,7 +124,7 @@ TEST(ParseMesh2, LaterListsOfAKindReplaceEarlierOnesWithAWarning) {
   const ParsedObject parsed =
       parsed_object("mesh2 { vertex_vectors { 1, 0 } " + kVertices + "face_indices { 1, <0, 1, 2> } }");
   EXPECT_NE(parsed.warnings.find("given before"), std::string::npos);
-  EXPECT_EQ(std::get<MeshForm>(parsed.object->form->shape).vertices.size(), 4u);
+  EXPECT_EQ(std::get<MeshForm>(parsed.object->extras->form->shape).vertices.size(), 4u);
 }
 
 }  // namespace

@@ -44,7 +44,7 @@ TEST(ParseObject, ALongWayOfNamesIsCutShort) {
     text += " #declare A" + std::to_string(i) + " = object { A" + std::to_string(i - 1) + " }";
   const auto scene = scene_of(text + " object { A29 }");
   const auto& names = scene->objects.at(scene->parts.at(0).object).names;
-  EXPECT_EQ(names.size(), render::Object::kMostNames);
+  EXPECT_EQ(names.size(), render::ObjectExtras::kMostNames);
   EXPECT_EQ(names.front(), "A29");
 }
 
@@ -139,8 +139,8 @@ TEST(ParseObject, BoundsAndClipsMayBeOne) {
   const auto scene =
       scene_of("union { sphere { 0, 1 } box { 3, 4 } clipped_by { box { -0.5, 10 } } bounded_by { clipped_by } }");
   ASSERT_EQ(scene->solids.size(), 1u);
-  EXPECT_EQ(scene->solids[0].clips.size(), 1u);
-  EXPECT_EQ(scene->solids[0].bounds.size(), 1u);
+  EXPECT_EQ(scene->solids[0].clips().size(), 1u);
+  EXPECT_EQ(scene->solids[0].bounds().size(), 1u);
 }
 
 TEST(ParseObject, ClipWithATextureIsAnError) {

@@ -10,7 +10,7 @@ using render::Vec2;
 using render::Vec3;
 using render::WaveForm;
 
-PatternKind kind_of(std::string_view words) { return pigment_of(words).pattern.kind; }
+PatternKind kind_of(std::string_view words) { return pigment_of(words).pattern->kind; }
 
 TEST(ParsePattern, PatternsWithoutParametersAreKnownByTheirWord) {
   const std::pair<const char*, PatternKind> kinds[] = {{"agate", PatternKind::agate},
@@ -95,7 +95,7 @@ TEST(ParsePattern, BrickKeepsItsSizeWhenNamedAgain) {
 
 TEST(ParsePattern, FractalsHaveExponentsAndTypesOfColoring) {
   const auto mandel = pigment_of("mandel 50 exponent 4 exterior 2, 0.5 interior 3, 2").pattern;
-  EXPECT_EQ(mandel.kind, PatternKind::mandel);
+  EXPECT_EQ(mandel->kind, PatternKind::mandel);
   const auto& values = parameters<FractalParameters>(mandel);
   EXPECT_EQ(values.iterations, 50);
   EXPECT_EQ(values.exponent, 4);
@@ -161,21 +161,21 @@ TEST(ParsePattern, OtherParametersHaveTheirWords) {
 
 TEST(ParsePattern, SomePatternsBringTheirWave) {
   for (const char* words : {"marble", "wood", "spiral1 2", "spiral2 2"}) {
-    EXPECT_EQ(pigment_of(words).pattern.wave.form, WaveForm::triangle) << words;
+    EXPECT_EQ(pigment_of(words).pattern->wave.form, WaveForm::triangle) << words;
   }
-  EXPECT_EQ(pigment_of("marble ramp_wave").pattern.wave.form, WaveForm::ramp);
-  EXPECT_EQ(pigment_of("bozo sine_wave").pattern.wave.form, WaveForm::sine);
-  EXPECT_EQ(pigment_of("bozo scallop_wave").pattern.wave.form, WaveForm::scallop);
-  EXPECT_EQ(pigment_of("bozo cubic_wave").pattern.wave.form, WaveForm::cubic);
-  EXPECT_EQ(pigment_of("bozo triangle_wave").pattern.wave.form, WaveForm::triangle);
-  EXPECT_EQ(pigment_of("quilted").pattern.wave.frequency, 0.0);
-  EXPECT_EQ(pigment_of("hexagon").pattern.wave.frequency, 0.0);
-  EXPECT_EQ(pigment_of("bozo").pattern.wave.frequency, 1.0);
+  EXPECT_EQ(pigment_of("marble ramp_wave").pattern->wave.form, WaveForm::ramp);
+  EXPECT_EQ(pigment_of("bozo sine_wave").pattern->wave.form, WaveForm::sine);
+  EXPECT_EQ(pigment_of("bozo scallop_wave").pattern->wave.form, WaveForm::scallop);
+  EXPECT_EQ(pigment_of("bozo cubic_wave").pattern->wave.form, WaveForm::cubic);
+  EXPECT_EQ(pigment_of("bozo triangle_wave").pattern->wave.form, WaveForm::triangle);
+  EXPECT_EQ(pigment_of("quilted").pattern->wave.frequency, 0.0);
+  EXPECT_EQ(pigment_of("hexagon").pattern->wave.frequency, 0.0);
+  EXPECT_EQ(pigment_of("bozo").pattern->wave.frequency, 1.0);
 }
 
 TEST(ParsePattern, TurbulenceStandsNearestToThePattern) {
   const auto warps =
-      pigment_of("bozo translate x turbulence <1, 2, 3> octaves 20 lambda 3 omega 0.25 scale 2").pattern.warps;
+      pigment_of("bozo translate x turbulence <1, 2, 3> octaves 20 lambda 3 omega 0.25 scale 2").pattern->warps;
   ASSERT_TRUE(warps.turbulence);
   EXPECT_EQ(warps.turbulence->amount, Vec3(1, 2, 3));
   EXPECT_EQ(warps.turbulence->octaves, 10);
@@ -189,7 +189,7 @@ TEST(ParsePattern, WarpsAndTransformationsKeepTheirOrder) {
   const auto steps = pigment_of(
                          "bozo scale 2 translate x warp { turbulence 0.5 octaves 2 omega 0.1 lambda 4 } rotate 90*z "
                          "warp { cubic } warp { planar y, 3 }")
-                         .pattern.warps.steps;
+                         .pattern->warps.steps;
   ASSERT_EQ(steps.size(), 5u);
   EXPECT_TRUE(std::holds_alternative<render::Transform>(steps[0]));
   EXPECT_EQ(std::get<render::Turbulence>(steps[1]).octaves, 2);
@@ -201,7 +201,7 @@ TEST(ParsePattern, WarpsAndTransformationsKeepTheirOrder) {
 
 TEST(ParsePattern, EachWarpHasItsWords) {
   const auto warp_of = [](std::string words) {
-    const auto steps = pigment_of("bozo warp { " + words + " }").pattern.warps.steps;
+    const auto steps = pigment_of("bozo warp { " + words + " }").pattern->warps.steps;
     EXPECT_EQ(steps.size(), 1u);
     return steps.empty() ? render::Warp() : steps.front();
   };
@@ -233,7 +233,7 @@ TEST(ParsePattern, BlackHolesAreMovedIntoTheirBlock) {
   const auto result = load_described("sphere { 0, 1 pigment { bozo warp { black_hole 0, 2 repeat 3*x } } }");
   ASSERT_TRUE(result.scene);
   EXPECT_TRUE(says(warnings(result), "too small along x"));
-  const auto& hole = std::get<render::BlackHoleWarp>(layer_of(*result.scene).pigment.pattern.warps.steps.at(0));
+  const auto& hole = std::get<render::BlackHoleWarp>(layer_of(*result.scene).pigment.pattern->warps.steps.at(0));
   EXPECT_EQ(hole.center.x, 2.0);
   EXPECT_EQ(hole.repeat->x, 4.0);
 }
@@ -252,7 +252,7 @@ TEST(ParsePattern, PigmentPatternHoldsThePigment) {
   const auto pigment = pigment_of("pigment_pattern { granite scale 2 } color_map { [0 rgb 0] [1 rgb x] }");
   const auto& inner = parameters<render::PigmentParameters>(pigment.pattern).pigment;
   ASSERT_TRUE(inner);
-  EXPECT_EQ(inner->pattern.kind, PatternKind::granite);
+  EXPECT_EQ(inner->pattern->kind, PatternKind::granite);
   EXPECT_EQ(unrendered("sphere { 0, 1 pigment { pigment_pattern { granite } } }"), "pigment_pattern granite ");
 }
 
@@ -269,8 +269,8 @@ TEST(ParsePattern, FunctionPatternHoldsTheFunction) {
 }
 
 TEST(ParsePattern, NoiseGeneratorIsFromZeroToThree) {
-  EXPECT_EQ(pigment_of("bozo noise_generator 2").pattern.noise_generator, 2);
-  EXPECT_EQ(pigment_of("bozo").pattern.noise_generator, 0);
+  EXPECT_EQ(pigment_of("bozo noise_generator 2").pattern->noise_generator, 2);
+  EXPECT_EQ(pigment_of("bozo").pattern->noise_generator, 0);
   EXPECT_TRUE(says(pigment_error("bozo noise_generator 4"), "must be 0, 1, 2 or 3"));
 }
 

@@ -227,20 +227,20 @@ TEST(ParseOldTexture, HasItsWordsOutsideOfBlocks) {
   EXPECT_EQ(errors(result), "");
   ASSERT_TRUE(result.scene);
   const render::TextureLayer& layer = layer_of(*result.scene);
-  EXPECT_EQ(layer.pigment.pattern.kind, PatternKind::agate);
-  EXPECT_EQ(layer.pigment.pattern.warps.turbulence->octaves, 3);
+  EXPECT_EQ(layer.pigment.pattern->kind, PatternKind::agate);
+  EXPECT_EQ(layer.pigment.pattern->warps.turbulence->octaves, 3);
   EXPECT_EQ(layer.pigment.map.size(), 2u);
-  EXPECT_EQ(layer.pigment.pattern.warps.steps.size(), 1u);
+  EXPECT_EQ(layer.pigment.pattern->warps.steps.size(), 1u);
   ASSERT_TRUE(layer.normal);
   EXPECT_EQ(layer.normal->amount, 0.3);
   EXPECT_EQ(layer.normal->pattern.wave.frequency, 2.0);
-  EXPECT_EQ(layer.finish.ambient, Rgb(0.2f));
-  EXPECT_EQ(layer.finish.phong_size, 20.0);
-  EXPECT_EQ(layer.finish.metallic, 1.0);
+  EXPECT_EQ(layer.finish->ambient, Rgb(0.2f));
+  EXPECT_EQ(layer.finish->phong_size, 20.0);
+  EXPECT_EQ(layer.finish->metallic, 1.0);
   const auto plain = old_texture("0.05 color red 1 wood");
   ASSERT_TRUE(plain.scene);
-  EXPECT_EQ(layer_of(*plain.scene).finish.crand, 0.05);
-  EXPECT_EQ(layer_of(*plain.scene).pigment.pattern.wave.form, render::WaveForm::ramp);
+  EXPECT_EQ(layer_of(*plain.scene).finish->crand, 0.05);
+  EXPECT_EQ(layer_of(*plain.scene).pigment.pattern->wave.form, render::WaveForm::ramp);
   EXPECT_TRUE(says(warnings(plain), "taken as 'crand'"));
   EXPECT_NE(errors(load_described("#version 3.0; sphere { 0, 1 texture { bumps 0.3 color red 1 } }")), "");
 }

@@ -31,6 +31,23 @@ TEST(ParseTexture, DeclaredPigmentIsAStartThatTheBlockAlters) {
   expect_color(color_of(*scene, Vec3(0.5, 0, 0), 1), Rgb(1, 0, 0));
 }
 
+TEST(ParseTexture, SurfacesThatDifferInTheirColorAloneShareTheRest) {
+  const auto scene = scene_of("sphere { 0, 1 pigment { rgb 1 } } sphere { 0, 1 texture { pigment { color rgb x } } }");
+  const auto& first = scene->textures.at(0).texture->layers.at(0);
+  const auto& second = scene->textures.at(1).texture->layers.at(0);
+  EXPECT_TRUE(first.pigment.pattern.is_same(second.pigment.pattern));
+  EXPECT_TRUE(first.finish.is_same(second.finish));
+  EXPECT_EQ(first.pigment.pattern->kind, render::PatternKind::plain);
+}
+
+TEST(ParseTexture, AColorTakesThePlaceOfAPattern) {
+  const auto scene = scene_of(
+      "#declare P = pigment { checker rgb 1, rgb 0 scale 2 } sphere { 0, 1 pigment { P color rgb x } }"
+      "sphere { 0, 1 pigment { P } }");
+  for (const double x : {0.5, 2.5}) expect_color(color_of(*scene, Vec3(x, 0.5, 0.5), 0), Rgb(1, 0, 0));
+  expect_color(color_of(*scene, Vec3(2.5, 0.5, 0.5), 1), Rgb(0, 0, 0));
+}
+
 TEST(ParseTexture, ColorMapTakesOldEntriesOfTwoColors) {
   const auto scene = scene_of(
       "sphere { 0, 1 pigment { gradient x color_map { [0.0 0.5 color red 1 color green 1] [0.5 1.0 color blue 1 color "
@@ -66,7 +83,7 @@ TEST(ParseTexture, CheckerIsBlueAndGreenUnlessColorsAreGiven) {
 
 TEST(ParseTexture, WaveWordsAreKept) {
   const auto scene = scene_of("sphere { 0, 1 pigment { gradient x poly_wave 2 frequency 3 phase 0.25 } }");
-  const render::Wave& wave = scene->textures.at(scene->parts.at(0).texture).texture->layers[0].pigment.pattern.wave;
+  const render::Wave& wave = scene->textures.at(scene->parts.at(0).texture).texture->layers[0].pigment.pattern->wave;
   EXPECT_EQ(wave.form, render::WaveForm::poly);
   EXPECT_EQ(wave.exponent, 2.0);
   EXPECT_EQ(wave.frequency, 3.0);
@@ -191,7 +208,7 @@ TEST(ParseTexture, AlbedoScalesStrengthsByTheirExponents) {
 TEST(ParseTexture, OldFinishGivesTheInteriorItsIor) {
   const auto result = load("sphere { 0, 1 finish { refraction 1 ior 1.7 } }");
   ASSERT_TRUE(result.scene);
-  EXPECT_EQ(result.scene->interiors.at(result.scene->parts.at(0).interior).ior, 1.7);
+  EXPECT_EQ(result.scene->interiors.at(result.scene->parts.at(0).interior)->ior, 1.7);
   EXPECT_NE(warnings(result).find("'ior' belongs in 'interior'"), std::string::npos);
 }
 

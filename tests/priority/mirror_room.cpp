@@ -16,8 +16,10 @@ using namespace render;
 TexturePtr texture_of(const FilteredColor& color, float reflection) {
   TextureLayer layer;
   layer.pigment.color = color;
-  layer.finish.reflection_min = layer.finish.reflection_max = Rgb(reflection);
-  layer.finish.specular = 0.5;
+  Finish finish;
+  finish.reflection_min = finish.reflection_max = Rgb(reflection);
+  finish.specular = 0.5;
+  layer.finish = finish;
   Texture texture;
   texture.layers.push_back(std::move(layer));
   return std::make_shared<const Texture>(std::move(texture));
@@ -37,7 +39,7 @@ class FlakeMaker {
   void add(const Vec3& center, double radius, const Vec3& axis, int depth) {
     const bool is_glass = glass_every_ > 0 && ++count_ % glass_every_ == 0;
     Object sphere = object_of(make_sphere(center, radius), is_glass ? glass_ : metal_);
-    if (is_glass) sphere.interior = Interior{.ior = 1.4};
+    if (is_glass) sphere.extras.change().interior = Interior{.ior = 1.4};
     builder_.add(std::move(sphere), metal_);
     if (depth == 0) return;
     const Vec3 side = (std::abs(axis.x) < 0.9 ? Vec3(1, 0, 0) : Vec3(0, 1, 0)).cross(axis).normalized();
@@ -80,9 +82,9 @@ MirrorRoom::MirrorRoom(int depth, int glass, int max_trace_level, int lights) {
   for (const Vec3& position : std::span(positions).first(static_cast<std::size_t>(lights))) {
     Object light;
     light.kind = Object::Kind::light;
-    light.light.position = position;
-    light.light.color = Rgb(0.5f, 0.6f, 0.55f);
-    builder.add(std::move(light), mirror);
+    light.extras.change().light.change().position = position;
+    light.extras.change().light.change().color = Rgb(0.5f, 0.6f, 0.55f);
+    builder.add(light, mirror);
   }
   FlakeMaker(builder, glass).add(Vec3(0.0), 1.0, Vec3(0.0, 1.0, 0.0), depth);
   scene_ = builder.build();

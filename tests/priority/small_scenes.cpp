@@ -45,20 +45,22 @@ class Maker {
 
   void add(std::string name, ShapePtr shape, TexturePtr texture, const std::optional<Interior>& interior = {}) {
     Object object;
-    if (!name.empty()) object.names.push_back(std::move(name));
+    if (!name.empty()) object.extras.change().names.push_back(std::move(name));
     object.shape = std::move(shape);
     object.texture = texture;
-    object.interior = interior;
-    builder_.add(std::move(object), texture);
+    object.extras.change().interior = interior;
+    builder_.add(object, texture);
   }
   void add_light(const Vec3& position, const Rgb& color, double fade_distance = 0.0) {
-    Object light;
-    light.kind = Object::Kind::light;
-    light.light.position = position;
-    light.light.color = color;
-    light.light.fade_distance = fade_distance;
-    light.light.fade_power = fade_distance > 0.0 ? 2.0 : 0.0;
-    builder_.add(std::move(light), nullptr);
+    Light light;
+    light.position = position;
+    light.color = color;
+    light.fade_distance = fade_distance;
+    light.fade_power = fade_distance > 0.0 ? 2.0 : 0.0;
+    Object object;
+    object.kind = Object::Kind::light;
+    object.extras.change().light = light;
+    builder_.add(object, nullptr);
   }
   std::unique_ptr<const Scene> finished() { return builder_.build(); }
 

@@ -44,7 +44,7 @@ Object sphere_at(double x, double radius = 1.0) {
 Object light_at(double x) {
   Object object;
   object.kind = Object::Kind::light;
-  object.light.position = {x, 0.0, 0.0};
+  object.extras.change().light.change().position = {x, 0.0, 0.0};
   return object;
 }
 
@@ -66,7 +66,7 @@ std::shared_ptr<const std::vector<Object>> list(std::vector<Object> objects) {
 
 std::unique_ptr<const Scene> scene_of(std::vector<Object> objects) {
   SceneBuilder builder;
-  for (Object& object : objects) builder.add(std::move(object), kDefault);
+  for (Object& object : objects) builder.add(object, kDefault);
   return builder.build();
 }
 
@@ -95,40 +95,40 @@ TEST(SceneBuilder, UnboundedObjectsComeFirstFromThreeObjectsOn) {
 
 TEST(SceneBuilder, KeepsAUnionThatIsClippedOrBounded) {
   Object clipped = union_of({sphere_at(1), sphere_at(2)});
-  clipped.clipped_by = list({sphere_at(0, 9)});
+  clipped.extras.change().clipped_by = list({sphere_at(0, 9)});
   Object bounded = union_of({sphere_at(1), sphere_at(2)});
-  bounded.bounded_by = list({sphere_at(0, 9)});
+  bounded.extras.change().bounded_by = list({sphere_at(0, 9)});
   const auto scene = scene_of({clipped, bounded});
   ASSERT_EQ(scene->solids.size(), 2u);
   EXPECT_EQ(scene->solids[0].kind, Solid::Kind::union_);
-  EXPECT_EQ(scene->solids[0].members.size(), 2u);
-  EXPECT_EQ(scene->solids[0].clips.size(), 1u);
-  EXPECT_TRUE(scene->solids[0].bounds.empty());
-  EXPECT_EQ(scene->solids[1].bounds.size(), 1u);
+  EXPECT_EQ(scene->solids[0].members().size(), 2u);
+  EXPECT_EQ(scene->solids[0].clips().size(), 1u);
+  EXPECT_TRUE(scene->solids[0].bounds().empty());
+  EXPECT_EQ(scene->solids[1].bounds().size(), 1u);
   EXPECT_EQ(scene->parts.size(), 4u) << "clips and bounds are not seen, so they have no parts";
 }
 
 TEST(SceneBuilder, BoundsThatAreClipsServeAsBoth) {
   Object from_clips = sphere_at(1);
-  from_clips.clipped_by = list({sphere_at(0, 9)});
-  from_clips.bounds_are_clips = true;
+  from_clips.extras.change().clipped_by = list({sphere_at(0, 9)});
+  from_clips.extras.change().bounds_are_clips = true;
   Object from_bounds = intersection_of({sphere_at(1), sphere_at(2)});
-  from_bounds.bounded_by = list({sphere_at(0, 9)});
-  from_bounds.bounds_are_clips = true;
+  from_bounds.extras.change().bounded_by = list({sphere_at(0, 9)});
+  from_bounds.extras.change().bounds_are_clips = true;
   const auto scene = scene_of({intersection_of({from_clips}), from_bounds});
-  EXPECT_EQ(scene->solids[0].members[0].clips.size(), 1u);
-  EXPECT_EQ(scene->solids[0].members[0].bounds.size(), 1u);
-  EXPECT_EQ(scene->solids[1].clips.size(), 1u);
-  EXPECT_EQ(scene->solids[1].bounds.size(), 1u);
+  EXPECT_EQ(scene->solids[0].members()[0].clips().size(), 1u);
+  EXPECT_EQ(scene->solids[0].members()[0].bounds().size(), 1u);
+  EXPECT_EQ(scene->solids[1].clips().size(), 1u);
+  EXPECT_EQ(scene->solids[1].bounds().size(), 1u);
 }
 
 TEST(SceneBuilder, DropsTheBoundsOfASimpleShapeOutsideCombinations) {
   Object shape = sphere_at(1);
-  shape.bounded_by = list({sphere_at(50)});
+  shape.extras.change().bounded_by = list({sphere_at(50)});
   const auto scene = scene_of({shape, union_of({shape}), intersection_of({shape, sphere_at(0, 9)})});
-  EXPECT_TRUE(scene->solids[0].bounds.empty());
-  EXPECT_TRUE(scene->solids[1].bounds.empty());
-  EXPECT_EQ(scene->solids[2].members[0].bounds.size(), 1u);
+  EXPECT_TRUE(scene->solids[0].bounds().empty());
+  EXPECT_TRUE(scene->solids[1].bounds().empty());
+  EXPECT_EQ(scene->solids[2].members()[0].bounds().size(), 1u);
 }
 
 TEST(SceneBuilder, ComposesPlacementsOnTheWayDown) {
@@ -143,11 +143,11 @@ TEST(SceneBuilder, ComposesPlacementsOnTheWayDown) {
 
 TEST(SceneBuilder, PlacesClipsWithTheirObject) {
   Object object = sphere_at(0);
-  object.clipped_by = list({sphere_at(1)});
+  object.extras.change().clipped_by = list({sphere_at(1)});
   object.placement = Transform::translation({5.0, 0.0, 0.0});
   const auto scene = scene_of({object});
-  EXPECT_TRUE(scene->solids[0].clips[0].inside({6.9, 0.0, 0.0}));
-  EXPECT_FALSE(scene->solids[0].clips[0].inside({4.9, 0.0, 0.0}));
+  EXPECT_TRUE(scene->solids[0].clips()[0].inside({6.9, 0.0, 0.0}));
+  EXPECT_FALSE(scene->solids[0].clips()[0].inside({4.9, 0.0, 0.0}));
 }
 
 TEST(SceneBuilder, LightsKeepTheOrderOfTheScene) {
@@ -156,7 +156,7 @@ TEST(SceneBuilder, LightsKeepTheOrderOfTheScene) {
   ASSERT_EQ(scene->lights.size(), 4u);
   for (int i = 0; i < 4; ++i) EXPECT_EQ(scene->lights[i].position.x, i + 1.0);
   EXPECT_EQ(scene->solids.size(), 1u);
-  EXPECT_EQ(scene->solids[0].members.size(), 1u) << "a light is no member of a combination";
+  EXPECT_EQ(scene->solids[0].members().size(), 1u) << "a light is no member of a combination";
 }
 
 TEST(SceneBuilder, ChildrenWithoutATextureTakeTheirParents) {
@@ -181,9 +181,9 @@ TEST(SceneBuilder, InteriorTextureIsInheritedOnItsOwn) {
   child.texture = solid_texture(0.1f);
   Object parent = union_of({child});
   parent.texture = solid_texture(0.2f);
-  parent.interior_texture = solid_texture(0.3f);
+  parent.extras.change().interior_texture = solid_texture(0.3f);
   const auto scene = scene_of({parent, sphere_at(2)});
-  EXPECT_EQ(scene->textures[scene->parts[0].interior_texture].texture, parent.interior_texture);
+  EXPECT_EQ(scene->textures[scene->parts[0].interior_texture].texture, parent.extras->interior_texture);
   EXPECT_EQ(scene->parts[1].interior_texture, kNoIndex);
 }
 
@@ -207,24 +207,56 @@ TEST(SceneBuilder, SharesOneEntryAmongEqualPlacesOfATexture) {
 
 TEST(SceneBuilder, OneObjectIsOnePieceOfMatter) {
   Object glass = sphere_at(2);
-  glass.interior = Interior();
-  glass.interior->ior = 1.5;
+  glass.extras.change().interior = Interior{.ior = 1.5};
   Object parent = union_of({sphere_at(1), glass, union_of({sphere_at(3)})});
-  parent.interior = Interior();
-  parent.interior->ior = 1.3;
+  parent.extras.change().interior = Interior{.ior = 1.3};
   const auto scene = scene_of({parent, sphere_at(4), sphere_at(5)});
   const auto& parts = scene->parts;
   EXPECT_EQ(parts[0].interior, parts[2].interior);
   EXPECT_NE(parts[0].interior, parts[1].interior);
   EXPECT_NE(parts[3].interior, parts[4].interior);
-  EXPECT_EQ(scene->interiors[parts[0].interior].ior, 1.3);
-  EXPECT_EQ(scene->interiors[parts[1].interior].ior, 1.5);
-  EXPECT_EQ(scene->interiors[parts[3].interior].ior, 1.0);
+  EXPECT_EQ(scene->interiors[parts[0].interior]->ior, 1.3);
+  EXPECT_EQ(scene->interiors[parts[1].interior]->ior, 1.5);
+  EXPECT_EQ(scene->interiors[parts[3].interior]->ior, 1.0);
+}
+
+TEST(SceneBuilder, MatterThatNothingIsSaidOfIsKeptOnce) {
+  SceneBuilder builder;
+  builder.settings().atmosphere_ior = 1.2;
+  for (int i = 0; i < 3; ++i) builder.add(sphere_at(i), kDefault);
+  builder.settings().atmosphere_ior = 1.3;
+  builder.add(sphere_at(3), kDefault);
+  const auto scene = builder.build();
+  ASSERT_EQ(scene->interiors.size(), 4u);
+  EXPECT_TRUE(scene->interiors[0].is_same(scene->interiors[2]));
+  EXPECT_EQ(scene->interiors[2]->ior, 1.2);
+  EXPECT_EQ(scene->interiors[3]->ior, 1.3);
+}
+
+TEST(SceneBuilder, FindsEachOfManyTexturesAgain) {
+  std::vector<Object> objects;
+  std::vector<TexturePtr> textures;
+  for (int i = 0; i < 500; ++i) textures.push_back(i % 2 == 0 ? solid_texture(0.5f) : patterned_texture());
+  for (int i = 0; i < 1500; ++i) {
+    Object object = sphere_at(i);
+    object.texture = textures[i % 500];
+    object.texture_placement = Transform::translation({i % 1000 / 500 * 1.0, 0.0, 0.0});
+    objects.push_back(object);
+  }
+  const auto scene = scene_of(objects);
+  EXPECT_EQ(scene->textures.size(), 750u) << "250 that look the same everywhere, 250 in two places";
+  for (int i = 0; i < 1500; ++i) {
+    const PlacedTexture& placed = scene->textures[scene->parts[i].texture];
+    EXPECT_EQ(placed.texture, textures[i % 500]);
+    if (i % 2 == 1) {
+      EXPECT_EQ(placed.to_texture.point(Vec3(0.0)).x, i % 1000 < 500 ? 0.0 : -1.0);
+    }
+  }
 }
 
 TEST(SceneBuilder, CopiesOfADeclaredObjectAreDifferentMatter) {
   Object glass = sphere_at(1);
-  glass.interior = Interior();
+  glass.extras.change().interior = Interior();
   const auto scene = scene_of({glass, glass});
   EXPECT_NE(scene->parts[0].interior, scene->parts[1].interior);
 }
@@ -232,27 +264,26 @@ TEST(SceneBuilder, CopiesOfADeclaredObjectAreDifferentMatter) {
 TEST(SceneBuilder, RefractionInTheFinishGoesToTheInterior) {
   auto old = std::make_shared<Texture>();
   old->layers.resize(2);
-  old->layers[0].finish.legacy_ior = 1.4;
-  old->layers[0].finish.legacy_refraction = 0.8;
-  old->layers[1].finish.legacy_ior = 9.0;
+  old->layers[0].finish.change().legacy_ior = 1.4;
+  old->layers[0].finish.change().legacy_refraction = 0.8;
+  old->layers[1].finish.change().legacy_ior = 9.0;
   Object object = sphere_at(1);
   object.texture = old;
   const auto scene = scene_of({object});
-  EXPECT_EQ(scene->interiors[scene->parts[0].interior].ior, 1.4);
-  EXPECT_EQ(scene->interiors[scene->parts[0].interior].refraction_scale, 0.8);
+  EXPECT_EQ(scene->interiors[scene->parts[0].interior]->ior, 1.4);
+  EXPECT_EQ(scene->interiors[scene->parts[0].interior]->refraction_scale, 0.8);
 }
 
 TEST(SceneBuilder, IorOfZeroIsThatOfTheSurroundings) {
   Object object = sphere_at(1);
-  object.interior = Interior();
-  object.interior->ior = 0.0;
+  object.extras.change().interior = Interior{.ior = 0.0};
   SceneBuilder builder;
   builder.settings().atmosphere_ior = 1.2;
   builder.add(object, kDefault);
   builder.add(sphere_at(2), kDefault);
   const auto scene = builder.build();
-  EXPECT_EQ(scene->interiors[scene->parts[0].interior].ior, 1.2);
-  EXPECT_EQ(scene->interiors[scene->parts[1].interior].ior, 1.2);
+  EXPECT_EQ(scene->interiors[scene->parts[0].interior]->ior, 1.2);
+  EXPECT_EQ(scene->interiors[scene->parts[1].interior]->ior, 1.2);
 }
 
 TEST(SceneBuilder, FlagsReachTheLeaves) {
@@ -287,7 +318,7 @@ TEST(SceneBuilder, ComplementOfAnIntersectionIsAMerge) {
   inner.inverted = true;
   const auto scene = scene_of({intersection_of({sphere_at(0, 3), inner})});
   const Solid& solid = scene->solids[0];
-  EXPECT_EQ(solid.members[1].kind, Solid::Kind::merge);
+  EXPECT_EQ(solid.members()[1].kind, Solid::Kind::merge);
   EXPECT_FALSE(solid.inside({0.5, 0.0, 0.0}));
   EXPECT_TRUE(solid.inside({-0.5, 0.0, 0.0}));
 }
@@ -308,7 +339,7 @@ TEST(SceneBuilder, PartsAreOpaqueOnlyWhenBothSidesAre) {
   clear.texture = clear_texture();
   Object clear_inside = sphere_at(3);
   clear_inside.texture = solid_texture(1.0f);
-  clear_inside.interior_texture = clear_texture();
+  clear_inside.extras.change().interior_texture = clear_texture();
   const auto scene = scene_of({opaque, clear, clear_inside});
   EXPECT_TRUE(scene->parts[0].opaque);
   EXPECT_FALSE(scene->parts[1].opaque);
@@ -336,7 +367,7 @@ TEST(SceneBuilder, KeepsTheCameraAndTheNames) {
   builder.set_camera(camera);
   EXPECT_TRUE(builder.has_camera());
   Object named = sphere_at(1);
-  named.names = {"Ball"};
+  named.extras.change().names = {"Ball"};
   builder.add(named, kDefault);
   const auto scene = builder.build();
   EXPECT_EQ(scene->camera.location, camera.location);

@@ -21,7 +21,7 @@ FilteredColor grey_of(float level) {
 Pigment ramp(Wave wave) {
   Pigment pigment;
   pigment.pattern = patterned(PatternKind::gradient, GradientParameters{{1.0, 0.0, 0.0}});
-  pigment.pattern.wave = wave;
+  pigment.pattern.change().wave = wave;
   pigment.map = {{0.0, grey_of(0.0f)}, {1.0, grey_of(1.0f)}};
   return pigment;
 }
@@ -132,8 +132,8 @@ TEST(Pigment, StepsDoNotBlend) {
 
 TEST(Pigment, IsPlacedByItsTransform) {
   Pigment pigment = ramp({});
-  pigment.pattern.warps.transform(Transform::scaling({2.0, 1.0, 1.0}));
-  pigment.pattern.warps.transform(Transform::translation({10.0, 0.0, 0.0}));
+  pigment.pattern.change().warps.transform(Transform::scaling({2.0, 1.0, 1.0}));
+  pigment.pattern.change().warps.transform(Transform::translation({10.0, 0.0, 0.0}));
   EXPECT_NEAR(level_at(pigment, 11.0), 0.5, 1e-6);
 }
 

@@ -59,8 +59,8 @@ Object floor_of(const FilteredColor& color, const Finish& finish) {
 Object light_of(const Rgb& color) {
   Object object;
   object.kind = Object::Kind::light;
-  object.light.color = color;
-  object.light.position = Vec3(0, 5, 0);
+  object.extras.change().light.change().color = color;
+  object.extras.change().light.change().position = Vec3(0, 5, 0);
   return object;
 }
 
@@ -71,7 +71,7 @@ std::unique_ptr<const Scene> scene_of(std::vector<Object> objects, const std::fu
   builder.set_camera(camera);
   if (change) change(builder.settings());
   const TexturePtr plain = std::make_shared<const Texture>(Texture{std::vector<TextureLayer>(1)});
-  for (Object& object : objects) builder.add(std::move(object), plain);
+  for (Object& object : objects) builder.add(object, plain);
   return builder.build();
 }
 
@@ -101,13 +101,13 @@ TEST(RadianceBound, AddsLightsChannelByChannelAtTheirBrightest) {
   EXPECT_NEAR(most({light_of({1, 0, 0}), light_of({0, 0, 1})}), 0.5, kMargin);
   EXPECT_NEAR(most({light_of({1, 0, 0}), light_of({-1, 0, 1})}), 1.0, kMargin);
   Object fading = light_of(Rgb(1.0f));
-  fading.light.fade_power = 2.0;
-  fading.light.fade_distance = 3.0;
+  fading.extras.change().light.change().fade_power = 2.0;
+  fading.extras.change().light.change().fade_distance = 3.0;
   EXPECT_NEAR(most({fading}), 1.0, kMargin);  // close by twice the full light
   finish.specular = 0.25;
   EXPECT_NEAR(most({light_of(Rgb(1.0f))}), 0.75, kMargin);
   Object shadowless = light_of(Rgb(1.0f));
-  shadowless.light.shadowless = true;
+  shadowless.extras.change().light.change().shadowless = true;
   EXPECT_NEAR(most({shadowless}), 0.5, kMargin);  // no highlight
 }
 
@@ -115,7 +115,7 @@ TEST(RadianceBound, LayersDoNotDimTheMirrorsBelow) {
   TextureLayer varnish;
   varnish.pigment.color = {Rgb(1.0f), 0.5f, 0.0f};
   varnish.finish = dark();
-  varnish.finish.emission = Rgb(0.5f);
+  varnish.finish.change().emission = Rgb(0.5f);
   TextureLayer metal;
   metal.finish = mirror(1.0f);
   const auto scene = scene_of({floor_of({varnish, metal})}, white_sky);
@@ -167,7 +167,7 @@ TEST(RadianceBound, IsKnownWhereRowsAreShort) {
   EXPECT_TRUE(known({floor_of({Rgb(1.0f), 0.0f, 0.9f}, shining())}));
   EXPECT_FALSE(known({floor_of(kClear, shining())}));
   Object glass = floor_of(kClear, shining());
-  glass.interior = Interior{.ior = 1.5};
+  glass.extras.change().interior = Interior{.ior = 1.5};
   EXPECT_TRUE(known({glass}));  // bends every ray, which raises the level
   Object other_glass = glass;
   other_glass.placement = Transform::translation({0, -1, 0});

@@ -66,8 +66,9 @@ Pigment Maker::pigment() {
       chance(0.3) ? patterned(PatternKind::checker) : patterned(PatternKind::gradient, GradientParameters{point(1.0)});
   const int entries = 2 + choice(3);
   for (int i = 0; i < entries; ++i) result.map.push_back({i / 3.0, filtered(clear && chance(0.8))});
-  result.pattern.wave.form = chance(0.5) ? WaveForm::ramp : WaveForm::sine;
-  result.pattern.warps.transform(Transform::scaling(Vec3(between(0.2, 1.0))));
+  Patterning& pattern = result.pattern.change();
+  pattern.wave.form = chance(0.5) ? WaveForm::ramp : WaveForm::sine;
+  pattern.warps.transform(Transform::scaling(Vec3(between(0.2, 1.0))));
   return result;
 }
 
@@ -132,8 +133,8 @@ Object Maker::object() {
       result.shape = make_sphere(point(1.5), between(0.2, 1.2));
   }
   result.texture = texture();
-  if (chance(0.2)) result.interior_texture = texture();
-  if (chance(0.7)) result.interior = interior();
+  if (chance(0.2)) result.extras.change().interior_texture = texture();
+  if (chance(0.7)) result.extras.change().interior = interior();
   result.double_illuminate = chance(0.2);
   result.no_shadow = chance(0.1);
   return result;
@@ -142,13 +143,14 @@ Object Maker::object() {
 Object Maker::light() {
   Object result;
   result.kind = Object::Kind::light;
-  result.light.position = point(4.0);
-  result.light.color = color(1.0);
-  if (chance(0.2)) result.light.color = result.light.color * -0.5f;
-  result.light.shadowless = chance(0.2);
+  Light& light = result.extras.change().light.change();
+  light.position = point(4.0);
+  light.color = color(1.0);
+  if (chance(0.2)) light.color = light.color * -0.5f;
+  light.shadowless = chance(0.2);
   if (chance(0.4)) {
-    result.light.fade_distance = wild() && chance(0.2) ? -2.0 : between(0.5, 5.0);
-    result.light.fade_power = between(0.5, 3.0);
+    light.fade_distance = wild() && chance(0.2) ? -2.0 : between(0.5, 5.0);
+    light.fade_power = between(0.5, 3.0);
   }
   return result;
 }

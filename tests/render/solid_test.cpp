@@ -121,6 +121,25 @@ TEST(Solid, CombinationsTurnTheOrderOfEachMemberAround) {
   EXPECT_EQ(found[1].depth, 8.0);
 }
 
+TEST(Solid, IsPlainWhileNothingCutsOrBoundsItsShape) {
+  EXPECT_TRUE(ball(0, 2).is_plain());
+  EXPECT_FALSE(clipped(ball(0, 2), ball(1, 2)).is_plain());
+  EXPECT_FALSE(bounded(ball(0, 2), ball(1, 2)).is_plain());
+  EXPECT_FALSE(combined(Kind::union_, {}).is_plain());
+  EXPECT_TRUE(all(combined(Kind::union_, {}), Ray{Vec3(0.0), Vec3(1, 0, 0)}).empty());
+  EXPECT_FALSE(combined(Kind::union_, {}).inside(Vec3(0.0)));
+  EXPECT_TRUE(combined(Kind::intersection, {}).inside(Vec3(0.0)));
+  EXPECT_LE(sizeof(Solid), 96u) << "a scene may have millions";
+}
+
+TEST(Solid, CopiesOfACombinationAreChangedOneByOne) {
+  const Solid whole = combined(Kind::union_, {ball(-3, 1), ball(3, 1)});
+  const Solid half = clipped(whole, solid_of(make_plane(Vec3(1, 0, 0), 0.0)));
+  EXPECT_TRUE(whole.inside(Vec3(3, 0, 0)));
+  EXPECT_FALSE(half.inside(Vec3(3, 0, 0)));
+  EXPECT_TRUE(half.inside(Vec3(-3, 0, 0)));
+}
+
 /// A random tree of spheres and boxes, some of them complements.
 Solid random_tree(std::mt19937& random, int levels) {
   std::uniform_real_distribution<double> place(-1.5, 1.5);
@@ -141,19 +160,19 @@ Solid random_tree(std::mt19937& random, int levels) {
 bool plainly_inside(const Solid& solid, const Vec3& p) {
   const auto holds = [&](const Solid& m) { return plainly_inside(m, p); };
   if (solid.kind == Kind::shape) return solid.shape->inside(p);
-  if (solid.kind == Kind::intersection) return std::all_of(solid.members.begin(), solid.members.end(), holds);
-  return std::any_of(solid.members.begin(), solid.members.end(), holds);
+  if (solid.kind == Kind::intersection) return std::ranges::all_of(solid.members(), holds);
+  return std::ranges::any_of(solid.members(), holds);
 }
 
 std::vector<Crossing> plain_crossings(const Solid& solid, const Ray& ray) {
   std::vector<Crossing> out;
   if (solid.kind == Kind::shape) solid.shape->crossings(ray, out);
-  for (const Solid& member : solid.members) {
+  for (const Solid& member : solid.members()) {
     std::vector<Crossing> some = plain_crossings(member, ray);
     if (solid.kind != Kind::union_) std::reverse(some.begin(), some.end());
     for (const Crossing& c : some) {
       bool counts = true;
-      for (const Solid& other : solid.members) {
+      for (const Solid& other : solid.members()) {
         if (&other == &member || solid.kind == Kind::union_) continue;
         counts = counts && plainly_inside(other, ray.at(c.depth)) == (solid.kind == Kind::intersection);
       }

@@ -22,19 +22,23 @@ inline Solid solid_of(ShapePtr shape, std::uint32_t part = 0) {
 inline Solid combined(Solid::Kind kind, std::vector<Solid> members) {
   Solid solid;
   solid.kind = kind;
-  solid.members = std::move(members);
+  solid.set_members(std::move(members));
   solid.close();
   return solid;
 }
 
 inline Solid clipped(Solid solid, Solid clip) {
-  solid.clips.push_back(std::move(clip));
+  std::vector<Solid> clips = solid.clips();
+  clips.push_back(std::move(clip));
+  solid.set_clips(std::move(clips));
   solid.close();
   return solid;
 }
 
 inline Solid bounded(Solid solid, Solid bound) {
-  solid.bounds.push_back(std::move(bound));
+  std::vector<Solid> bounds = solid.bounds();
+  bounds.push_back(std::move(bound));
+  solid.set_bounds(std::move(bounds));
   solid.close();
   return solid;
 }
@@ -52,7 +56,9 @@ inline void add_solid(Scene& scene, Solid solid, bool opaque = true) {
         part.opaque = opaque;
         scene.parts.push_back(part);
       }
-      for (Solid& member : s.members) number(member);
+      std::vector<Solid> members = s.members();
+      for (Solid& member : members) number(member);
+      s.set_members(std::move(members));
     }
   };
   Numbering{scene, opaque}.number(solid);

@@ -42,7 +42,7 @@ Object object_of(ShapePtr shape, TexturePtr texture) {
 Object point_light(const Vec3& position) {
   Object object;
   object.kind = Object::Kind::light;
-  object.light.position = position;
+  object.extras.change().light.change().position = position;
   return object;
 }
 
@@ -54,7 +54,7 @@ class TestScene {
     builder.set_camera(Camera{});
     if (change) change(builder.settings());
     const TexturePtr grey_default = texture_of({Rgb(0.0f), 0.0f, 0.0f}, dark());
-    for (Object& object : objects) builder.add(std::move(object), grey_default);
+    for (Object& object : objects) builder.add(object, grey_default);
     scene_ = builder.build();
     accel_ = std::make_unique<Accel>(*scene_);
   }
@@ -155,7 +155,7 @@ TEST(Step, AShadowlessLightShinesThroughAndGivesNoHighlight) {
   finish.diffuse = 1.0;
   finish.specular = 1.0;
   Object light = point_light({0, 4, 0});
-  light.light.shadowless = true;
+  light.extras.change().light.change().shadowless = true;
   TestScene scene({object_of(make_plane({0, 1, 0}, 0.0), texture_of(opaque(0.5f), finish)),
                    object_of(make_sphere({0, 2, 0}, 0.5), texture_of(opaque(1.0f), dark())), light});
   expect_color(scene.color({1, 1, 0}, {-1, -1, 0}), Rgb(0.5f));
@@ -176,7 +176,7 @@ TEST(Step, GoingStraightOnDoesNotRaiseTheLevel) {
 
 TEST(Step, ARefractedRayObeysSnell) {
   Object glass = object_of(make_plane({0, 1, 0}, 0.0), texture_of({Rgb(1.0f), 1.0f, 0.0f}, dark()));
-  glass.interior = Interior{.ior = 1.5};
+  glass.extras.change().interior = Interior{.ior = 1.5};
   TestScene scene({glass});
   Stepper stepper(scene.context());
   const RayTask task = TestScene::task({-1, 1, 0}, {1, -1, 0});
@@ -190,7 +190,7 @@ TEST(Step, ARefractedRayObeysSnell) {
 
 TEST(Step, GrazingLightInsideGlassIsTotallyReflected) {
   Object glass = object_of(make_plane({0, 1, 0}, 0.0), texture_of({Rgb(1.0f), 1.0f, 0.0f}, dark()));
-  glass.interior = Interior{.ior = 1.5};
+  glass.extras.change().interior = Interior{.ior = 1.5};
   TestScene scene({glass});
   TraceContext context = scene.context();
   Stepper stepper(context);
@@ -208,7 +208,7 @@ TEST(Step, FresnelReflectionLooksStraightDownAtTheIndexRatio) {
   finish.reflection_fresnel = true;
   finish.reflection_max = Rgb(1.0f);
   Object glass = object_of(make_plane({0, 1, 0}, 0.0), texture_of(opaque(0.0f), finish));
-  glass.interior = Interior{.ior = 1.5};
+  glass.extras.change().interior = Interior{.ior = 1.5};
   TestScene scene({glass}, [](Settings& settings) { settings.background = Rgb(1.0f); });
   expect_color(scene.color({0, 1, 0}, {0, -1, 0}), Rgb(0.04f));  // ((1.5 - 1) / (1.5 + 1))^2
 }
@@ -224,12 +224,12 @@ TEST(Step, AReflectionExponentWorksOnTheReturnedColour) {
 
 TEST(Step, ACameraInsideGlassIsInsideOfItsMatter) {
   Object glass = object_of(make_sphere({0, 0, 0}, 2.0), texture_of({Rgb(1.0f), 1.0f, 0.0f}, dark()));
-  glass.interior = Interior{.ior = 1.5};
+  glass.extras.change().interior = Interior{.ior = 1.5};
   TestScene scene({glass, object_of(make_sphere({9, 0, 0}, 2.0), texture_of(opaque(1.0f), dark()))});
   MediumTable& media = scene.context().media;
   const std::uint32_t medium = medium_at(scene.scene(), media, {0.5, 0, 0});
   EXPECT_EQ(media.depth(medium), 1u);
-  EXPECT_EQ(scene.scene().interiors[media.innermost(medium)].ior, 1.5);
+  EXPECT_EQ(scene.scene().interiors[media.innermost(medium)]->ior, 1.5);
   EXPECT_EQ(medium_at(scene.scene(), media, {5, 0, 0}), MediumTable::kOutside);
 }
 
