@@ -3,6 +3,8 @@
 #include "parser/parse_surface.h"
 
 #include <cmath>
+#include <tuple>
+#include <utility>
 
 namespace firstlight::parser {
 
@@ -189,6 +191,23 @@ bool accept_item(Reader& reader, Draft& draft) {
   return true;
 }
 
+/// Whether nothing tells the two apart. A finish with a word that cannot be rendered is told by its place.
+bool are_same(const Finish& a, const Finish& b) {
+  const auto numbers_of = [](const Finish& finish) {
+    const auto& [ambient, emission, diffuse, diffuse_back, brilliance, phong, phong_size, specular, roughness_exponent,
+                 metallic, reflection_min, reflection_max, reflection_falloff, reflection_metallic, reflection_exponent,
+                 reflection_fresnel, conserve_energy, crand, irid, irid_thickness, irid_turbulence, subsurface,
+                 subsurface_translucency, subsurface_anisotropy, unrendered, legacy_ior, legacy_refraction,
+                 legacy_caustics] = finish;
+    return std::tie(ambient, emission, diffuse, diffuse_back, brilliance, phong, phong_size, specular,
+                    roughness_exponent, metallic, reflection_min, reflection_max, reflection_falloff,
+                    reflection_metallic, reflection_exponent, reflection_fresnel, conserve_energy, crand, irid,
+                    irid_thickness, irid_turbulence, subsurface, subsurface_translucency, subsurface_anisotropy,
+                    legacy_ior, legacy_refraction, legacy_caustics);
+  };
+  return a.unrendered.empty() && b.unrendered.empty() && numbers_of(a) == numbers_of(b);
+}
+
 /// Strengths given as `albedo` mean the share of the light that comes back in all; what the formulas of shading
 /// want is the strength straight back. The factors are POV-Ray 3.7's.
 void apply_albedo(Draft& draft) {
@@ -212,6 +231,11 @@ bool accept_bare_finish(Reader& reader, Finish& finish) {
   if (!accept_item(reader, draft)) return false;
   finish = draft.finish;
   return true;
+}
+
+render::Shared<Finish> kept_once(SceneContext& context, Finish finish) {
+  if (!are_same(*context.last_finish, finish)) context.last_finish = std::move(finish);
+  return context.last_finish;
 }
 
 Finish parse_finish(Reader& reader, const Token& word, Finish start) {

@@ -22,6 +22,8 @@ render::Pigment parse_pigment_contents(Reader& reader, SceneContext& context, co
 render::Normal parse_normal(Reader& reader, SceneContext& context, const Token& word, const render::Normal* start);
 render::Normal parse_normal_contents(Reader& reader, SceneContext& context, const render::Normal* start);
 render::Finish parse_finish(Reader& reader, const Token& word, render::Finish start);
+/// `finish` as part of a texture. Where the last one was the same, as in a loop, that is taken again.
+render::Shared<render::Finish> kept_once(SceneContext& context, render::Finish finish);
 render::TexturePtr parse_texture(Reader& reader, SceneContext& context, const Token& word);
 render::TexturePtr parse_texture_contents(Reader& reader, SceneContext& context);
 render::Density parse_density(Reader& reader, SceneContext& context, const Token& word);

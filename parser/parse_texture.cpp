@@ -48,7 +48,7 @@ bool accept_part(Reader& reader, SceneContext& context, Draft& draft) {
   if (reader.accept(Keyword::pigment)) {
     draft.change_top().pigment = parse_pigment(reader, context, word, draft.top().pigment);
   } else if (reader.accept(Keyword::finish)) {
-    draft.change_top().finish = parse_finish(reader, word, draft.top().finish);
+    draft.change_top().finish = kept_once(context, parse_finish(reader, word, draft.top().finish));
   } else if (reader.accept(Keyword::normal)) {
     draft.change_top().normal =
         std::make_shared<render::Normal>(parse_normal(reader, context, word, draft.top().normal.get()));

@@ -19,7 +19,8 @@ struct SceneContext {
   /// One layer; `#default` replaces it. Never null; shared by all objects that use it.
   render::TexturePtr default_texture =
       std::make_shared<const render::Texture>(render::Texture{std::vector<render::TextureLayer>(1)});
-  bool default_given = false;  ///< there was a `#default`
+  bool default_given = false;                  ///< there was a `#default`
+  render::Shared<render::Finish> last_finish;  ///< see kept_once()
   render::Camera default_camera;
   render::Camera camera;   ///< the scene's so far; before version 3.5 a further camera statement goes on from it
   std::uint64_t size = 0;  ///< objects in the scene so far, with all that they are made of

@@ -9,6 +9,7 @@
 #include <cstddef>
 #include <optional>
 #include <utility>
+#include <vector>
 
 namespace firstlight::render {
 namespace {
@@ -40,6 +41,13 @@ bool has_surface(const Solid& solid) {
 bool has_form(const Object& object) {
   return object.extras->form ||
          (object.children && std::any_of(object.children->begin(), object.children->end(), has_form));
+}
+
+/// Room for some more at once: a list that grows step by step is there twice while it moves.
+template <class T>
+void make_room(std::vector<T>& list, std::size_t more) {
+  const std::size_t size = list.size() + more;
+  if (size > list.capacity()) list.reserve(std::max(size, 2 * list.capacity()));
 }
 
 /// Whether POV-Ray keeps it out of its bounding hierarchy.
@@ -136,6 +144,8 @@ void SceneBuilder::State::link(const Object& object, const Inherited& parent) {
       solid_kind(object.kind, inverted) == Solid::Kind::union_) {
     if (is_empty(object.children)) return;
     const Inherited node = at_node(object, parent);
+    make_room(scene->solids, object.children->size());
+    make_room(scene->parts, object.children->size());
     for (const Object& child : *object.children) link(child, node);
     return;
   }

@@ -40,6 +40,20 @@ TEST(ParseTexture, SurfacesThatDifferInTheirColorAloneShareTheRest) {
   EXPECT_EQ(first.pigment.pattern->kind, render::PatternKind::plain);
 }
 
+TEST(ParseTexture, EqualFinishesOneAfterAnotherAreKeptOnce) {
+  const auto scene = scene_of(
+      "#for (I, 1, 3) sphere { 0, 1 texture { pigment { rgb I } finish { phong 0.5 } } } #end"
+      " sphere { 0, 1 finish { phong 0.25 } } sphere { 0, 1 finish { phong 0.5 } }");
+  const auto finish = [&](std::size_t part) {
+    return scene->textures.at(scene->parts.at(part).texture).texture->layers.at(0).finish;
+  };
+  EXPECT_TRUE(finish(0).is_same(finish(1)) && finish(1).is_same(finish(2)));
+  EXPECT_FALSE(finish(3).is_same(finish(2)));
+  EXPECT_EQ(finish(2)->phong, 0.5);
+  EXPECT_EQ(finish(3)->phong, 0.25);
+  EXPECT_EQ(finish(4)->phong, 0.5);
+}
+
 TEST(ParseTexture, AColorTakesThePlaceOfAPattern) {
   const auto scene = scene_of(
       "#declare P = pigment { checker rgb 1, rgb 0 scale 2 } sphere { 0, 1 pigment { P color rgb x } }"
