@@ -71,6 +71,12 @@ void Interpreter::run_declare(const Token& word, bool after_hash) {
   store(target, std::move(argument.value));
   if (peek().is(Punctuation::semicolon) && (after_hash || argument.needs_semicolon)) {
     take();
+    // A macro's value may bring a semicolon of its own.
+    if (argument.needs_semicolon && peek().is(Punctuation::semicolon)) {
+      take();
+    } else {
+      unsettle();
+    }
   } else {
     unsettle();  // what follows may be the very name that has its meaning only now
   }

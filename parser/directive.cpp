@@ -5,6 +5,7 @@
 #include "parser/string_expression.h"
 
 #include <array>
+#include <filesystem>
 #include <fstream>
 #include <iterator>
 #include <utility>
@@ -85,6 +86,7 @@ void Interpreter::open_scene(const std::string& path) {
   read_permissions();
   const SourceFiles::Result result = files_.read_scene(path, options_.library_paths);
   if (result.status == SourceFiles::Status::found) {
+    *scopes_.target(symbols_.intern("input_file_name"), false) = std::filesystem::path(path).filename().string();
     const TokenFile& file = tokens_of(*result.file);
     Frame frame;
     frame.file = &file;

@@ -102,6 +102,7 @@ std::string parse_substr(Interpreter& in, const Token& word) {
   comma(in);
   const int count = whole(parse_float(in));
   const int length = static_cast<int>(length_of(text));
+  if (first == 0) return {};  // as POV-Ray has it, whatever the length
   if (first < 1 || count < 0 || first + count - 1 > length) {
     in.fail(word.location, "'substr' of " + std::to_string(count) + " characters from character " +
                                std::to_string(first) + " on does not fit a string of " + std::to_string(length));

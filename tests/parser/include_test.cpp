@@ -148,6 +148,10 @@ TEST(Scene, AFolderIsNoScene) {
   const Folder folder;
   EXPECT_EQ(errors(PovFrontEnd().load(folder.path(), {})), "the file cannot be read\n");
 }
+TEST(Scene, ItsNameIsKnownWithoutItsFolder) {
+  const Folder folder;
+  EXPECT_EQ(debugs(folder.load("#debug input_file_name")), "scene.pov\n");
+}
 TEST(Scene, DeclaresOfTheCommandLineAreKnown) {
   const Folder folder;
   render::LoadOptions options;
