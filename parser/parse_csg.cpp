@@ -13,6 +13,7 @@ namespace {
 
 Object::Kind combining_kind(Keyword word) {
   switch (word) {
+    case Keyword::composite:
     case Keyword::union_:
       return Object::Kind::union_;
     case Keyword::merge:
@@ -32,6 +33,7 @@ void add_member(Reader& reader, const Token& at, Object& whole, const Object& me
 }  // namespace
 
 Object parse_csg(Reader& reader, SceneContext& context, const Token& word) {
+  if (word.is(Keyword::composite)) reader.warn(word, "'composite' is an old word for 'union'");
   reader.open_block(word);
   if (auto declared = accept_declared_object(reader)) {
     parse_modifiers(reader, context, word, *declared);

@@ -105,6 +105,7 @@ std::optional<Object> parse_object(Reader& reader, SceneContext& context) {
   switch (next.keyword) {
     case Keyword::object:
       return parse_wrapped(reader, context);
+    case Keyword::composite:
     case Keyword::union_:
     case Keyword::merge:
     case Keyword::intersection:

@@ -32,13 +32,15 @@ std::string debug_line(const std::string& line, std::size_t number) {
   return "#declare Vector = " + expression + ";\n" + begin + "vstr(" + line[0] + ", Vector, \" \", 0, 15), \";\\n\")\n";
 }
 
-Table read_table() {
+Table read_table(const std::string& name) {
   Table table;
-  std::ifstream file(std::string(FIRSTLIGHT_SOURCE_DIR) + "/tests/parser/agreement.txt");
+  std::ifstream file(std::string(FIRSTLIGHT_SOURCE_DIR) + "/tests/parser/" + name);
   for (std::string line; std::getline(file, line);) {
     if (line.empty() || line[0] == '/') continue;
     if (line[0] == '#') {
       table.scene += line + "\n";
+    } else if (line[0] == '!') {
+      table.scene += line.substr(1) + "\n";
     } else {
       table.scene += "#undef Value #undef Vector " + debug_line(line, table.expressions.size());
       table.expressions.push_back(line);
@@ -83,9 +85,9 @@ std::string firstlight_says(const std::string& scene) {
   return messages(result, render::Diagnostic::Severity::debug) + std::string(kMark);
 }
 
-TEST(Agreement, ExpressionsHaveTheValuesThatPovRayGivesThem) {
-  const Table table = read_table();
-  ASSERT_GE(table.expressions.size(), 400u);
+void expect_agreement(const std::string& name, std::size_t least) {
+  const Table table = read_table(name);
+  ASSERT_GE(table.expressions.size(), least);
   const std::string povray_text = povray_says(table.scene);
   const std::vector<std::string> theirs = values_in(povray_text), ours = values_in(firstlight_says(table.scene));
   ASSERT_EQ(theirs.size(), table.expressions.size() + 1)
@@ -93,6 +95,9 @@ TEST(Agreement, ExpressionsHaveTheValuesThatPovRayGivesThem) {
   ASSERT_EQ(ours.size(), table.expressions.size() + 1);
   for (std::size_t i = 0; i < table.expressions.size(); ++i) EXPECT_EQ(ours[i], theirs[i]) << table.expressions[i];
 }
+
+TEST(Agreement, ExpressionsHaveTheValuesThatPovRayGivesThem) { expect_agreement("agreement.txt", 400); }
+TEST(Agreement, MacrosOfTheStandardIncludesGiveWhatTheyGiveInPovRay) { expect_agreement("include_macros.txt", 120); }
 
 TEST(Agreement, RandomNumbersAreThoseOfPovRay) {
   std::string scene;

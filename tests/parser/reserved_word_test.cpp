@@ -24,5 +24,14 @@ TEST(ReservedWord, InItsOtherSpellingIsTheSame) {
   EXPECT_TRUE(result.scene) << errors(result);
 }
 
+TEST(ReservedWord, CompositeIsAUnion) {
+  const auto result = load("intersection { composite { sphere { 0, 1 } sphere { 3, 1 } } box { -1, 2.5 } }");
+  ASSERT_TRUE(result.scene) << errors(result);
+  EXPECT_EQ(warnings(result), "'composite' is an old word for 'union'\n");
+  EXPECT_TRUE(inside(*result.scene, {0.0, 0.0, 0.5}));
+  EXPECT_TRUE(inside(*result.scene, {2.45, 2.45, 2.45}));
+  EXPECT_FALSE(inside(*result.scene, {1.5, 1.5, 1.5}));
+}
+
 }  // namespace
 }  // namespace firstlight::parser
