@@ -238,9 +238,8 @@ void Interpreter::run_undef(const Token& word) {
 }
 
 void Interpreter::run_include(const Token& word) {
-  // A file's name is taken as it stands: a backslash in it is no escape.
   const Token at = peek();
-  const std::string name = at.kind == TokenKind::string ? std::string(take().text) : parse_string(*this);
+  const std::string name = parse_path(*this);
   unsettle();
   const SourceFiles::Result result = files_.read_include(name, *frames_.back().file->source);
   found_file(result, name, at.location);
@@ -276,7 +275,9 @@ const SourceFiles::Result& Interpreter::found_file(const SourceFiles::Result& re
     case SourceFiles::Status::unreadable:
       fail(at, "'" + result.path + "' cannot be read");
   }
-  if (result.other_case) {
+  if (result.other_slashes) {
+    warn(at, "there is no file '" + name + "'; '" + result.path + "' is read, as if each '\\' in the name were '/'");
+  } else if (result.other_case) {
     warn(at,
          "there is no file '" + name + "'; '" + result.path + "' is read, whose name differs in upper and lower case");
   }

@@ -74,7 +74,7 @@ void Interpreter::run_fopen(const Token& word) {
                             std::string(kind_name(*before->slot)) + " '" + std::string(name.text) + "'");
   }
   const Token at = peek();
-  const std::string path = at.kind == TokenKind::string ? std::string(take().text) : parse_string(*this);
+  const std::string path = parse_path(*this);
   const Token mode = peek();
   if (!mode.is(Keyword::read) && !mode.is(Keyword::write) && !mode.is(Keyword::append)) {
     fail(mode.location, "expected 'read', 'write' or 'append' after the name of the file, found " + describe_next());

@@ -161,7 +161,7 @@ ImageParameters shared(ImageUse image) { return {std::make_shared<const ImageUse
 
 std::string parse_file_name(Reader& reader, const std::vector<std::string>& extensions) {
   const Token at = reader.peek();
-  return reader.interpreter().find_file(reader.string(), extensions, at.location);
+  return reader.interpreter().find_file(parse_path(reader.interpreter()), extensions, at.location);
 }
 
 ImageSource parse_image_source(Reader& reader, SceneContext& context, bool has_gamma) {

@@ -123,6 +123,7 @@ SourceFiles::Result SourceFiles::read_found(Result found) {
   if (found.status != Status::found) return found;
   Result result = read(found.path, found.path);
   result.other_case = found.other_case;
+  result.other_slashes = found.other_slashes;
   return result;
 }
 
@@ -132,7 +133,7 @@ SourceFiles::Result SourceFiles::find_file(const std::string& name, const std::v
   const Found found = find(candidate_names(name, extensions), from);
   if (found.path.empty()) return {Status::missing, nullptr, name, false};
   return {may_read_found(found.path) ? Status::found : Status::forbidden, nullptr,
-          found.path.lexically_normal().string(), found.other_case};
+          found.path.lexically_normal().string(), found.other_case, found.other_slashes};
 }
 
 SourceFiles::Result SourceFiles::place_for_writing(const std::string& name) const {
@@ -167,7 +168,13 @@ SourceFiles::Found SourceFiles::find(const std::vector<std::string>& names, cons
       if (!found.empty() && is_file(found)) return {found, true};
     }
   }
-  return {};
+  // Scenes written on Windows.
+  if (names.front().find('\\') == std::string::npos) return {};
+  std::vector<std::string> with_slashes = names;
+  for (std::string& name : with_slashes) std::replace(name.begin(), name.end(), '\\', '/');
+  Found found = find(with_slashes, from);
+  found.other_slashes = true;
+  return found;
 }
 
 // A link in a standard folder, such as one to a font, is the installation's own and may lead out of it.

@@ -44,6 +44,7 @@ class SourceFiles {
     const SourceFile* file = nullptr;  ///< of `found`, when it was read
     std::string path;                  ///< what was tried last, for messages
     bool other_case = false;           ///< found only by ignoring the case of letters
+    bool other_slashes = false;        ///< found only by reading each '\\' as a '/'
   };
 
   /// Permissions of .conf files, each of which must allow a file. Without any the built-in ones hold, and a scene may
@@ -65,6 +66,7 @@ class SourceFiles {
   struct Found {
     std::filesystem::path path;
     bool other_case = false;
+    bool other_slashes = false;
   };
   Found find(const std::vector<std::string>& names, const SourceFile& from) const;
   bool may_read(const std::filesystem::path& canonical) const;

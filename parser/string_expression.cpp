@@ -242,6 +242,10 @@ std::string parse_string(Interpreter& in) {
   return token.kind == TokenKind::string ? unescape(in, token) : parse_string_function(in, token);
 }
 
+std::string parse_path(Interpreter& in) {
+  return in.peek().kind == TokenKind::string ? std::string(in.take().text) : parse_string(in);
+}
+
 std::size_t length_of(const std::string& text) {
   return static_cast<std::size_t>(
       std::count_if(text.begin(), text.end(), [](char c) { return !continues_character(c); }));

@@ -13,6 +13,8 @@ class Interpreter;
 /// Whether a string expression begins here: a literal, a string function, or an identifier that holds a string.
 bool at_string(Interpreter& in);
 std::string parse_string(Interpreter& in);
+/// A string that names a file. A literal is taken as it stands: a backslash in it is no escape.
+std::string parse_path(Interpreter& in);
 /// Contents of a string literal, its escapes replaced.
 std::string unescape(Interpreter& in, const Token& literal);
 /// Characters in `text`.

@@ -73,6 +73,23 @@ TEST(Include, InAnotherLetterCaseWarns) {
   EXPECT_EQ(debugs(result), "part\n");
   EXPECT_NE(warnings(result).find("differs in upper and lower case"), std::string::npos);
 }
+TEST(Include, BackslashesInItsNameStandForSlashes) {
+  const Folder folder;
+  folder.add("Parts/new.inc", "#debug \"part\"");
+  const auto result = folder.load("#include \"parts\\new.inc\"");
+  EXPECT_EQ(debugs(result), "part\n");
+  EXPECT_NE(warnings(result).find("as if each '\\' in the name were '/'"), std::string::npos) << warnings(result);
+}
+TEST(Include, AnotherFilesNameIsTakenAsItStandsToo) {
+  const Folder folder;
+  folder.add("parts/new.png", "");
+  const std::string text = "sphere { 0, 1 pigment { image_map { png \"parts\\new.png\" } } }";
+  render::LoadOptions options;
+  options.parse_only = true;
+  const auto result = folder.load(text, options);
+  EXPECT_EQ(errors(result), "");
+  EXPECT_NE(warnings(result).find("'parts\\new.png'"), std::string::npos) << warnings(result);
+}
 TEST(Include, LocalNamesEndWithTheFile) {
   const Folder folder;
   folder.add("part.inc", "#local A = 1; #declare B = 2;");
