@@ -12,6 +12,7 @@ render::LoadResult load_scene(const Options& options, const render::FrontEnd& fr
   load.width = options.width;
   load.height = options.height;
   load.library_paths = options.library_paths;
+  load.permission_files = options.permission_files;
   load.declares = options.declares;
   load.clock = options.clock;
   load.parse_only = options.parse_only;

@@ -74,6 +74,9 @@ LongOptions::LongOptions(CommandLine& out)
   text("--steer", options.steer, "Make a socket to steer from, see `firstlight steer`; -: standard input", "SOCKET");
   text("--stats", options.stats_file, "Write times, rays and queue sizes as JSON", "FILE");
   text("--snapshots", options.snapshots_folder, "Write intermediate pictures to a folder", "DIR");
+  read(
+      "--permissions", [&](const std::string& file) { options.permission_files.push_back(file); },
+      "What the scene may read and write, in the syntax of povray.conf; may be repeated, all must permit", "FILE");
   text("--front-end", options.front_end, "Read the scene with a loadable module", "FILE");
   app_->add_flag("--quiet", options.quiet, "Show errors only");
   app_->add_flag("--parse-only", options.parse_only,

@@ -28,15 +28,16 @@ struct Options {
   double clock = 0.0;
   std::optional<render::AntialiasSettings> antialias;  ///< none: one sample a pixel
 
-  std::string scheme = "contribution";  ///< a scheme or a mixture, as priority::Order::parse reads it
-  std::vector<std::string> boosts;      ///< as parse_boost reads them
-  std::size_t queue_memory = 0;         ///< bytes; 0: a share of the machine's memory
-  double stop_at_error = 0.0;           ///< 0: never
-  double stop_after = 0.0;              ///< seconds; 0: never
-  std::string steer;                    ///< path of a socket, "-" for the standard input; empty: none
-  std::string stats_file;               ///< empty: none
-  std::string snapshots_folder;         ///< empty: none
-  std::string front_end;                ///< loadable module that reads the scene; empty: our own
+  std::string scheme = "contribution";        ///< a scheme or a mixture, as priority::Order::parse reads it
+  std::vector<std::string> boosts;            ///< as parse_boost reads them
+  std::size_t queue_memory = 0;               ///< bytes; 0: a share of the machine's memory
+  double stop_at_error = 0.0;                 ///< 0: never
+  double stop_after = 0.0;                    ///< seconds; 0: never
+  std::string steer;                          ///< path of a socket, "-" for the standard input; empty: none
+  std::string stats_file;                     ///< empty: none
+  std::string snapshots_folder;               ///< empty: none
+  std::vector<std::string> permission_files;  ///< povray.conf's syntax; none: what a plain installation permits
+  std::string front_end;                      ///< loadable module that reads the scene; empty: our own
   bool quiet = false;
   bool parse_only = false;  ///< read the scene, say what it is made of, and leave
   bool json = false;        ///< of parse_only: say it as JSON

@@ -103,6 +103,24 @@ TEST(Refuses, AFrontEndThatIsNotAModule) {
   }
 }
 
+TEST(Refuses, WhatTheFilesOfPermissionsDoNotPermit) {
+  const ScratchFolder scratch;
+  const auto picture = scratch / "picture.png";
+  const auto scene = scratch.write("scene.pov",
+                                   "#version 3.7; global_settings { assumed_gamma 1 } camera { look_at z }\n"
+                                   "#fopen Out \"out.txt\" write\n");
+  const auto reading = scratch.write("reading.conf", "[File I/O Security]\nread-only\n");
+  const auto misspelt = scratch.write("misspelt.conf", "[File I/O Security]\nreadonly\n");
+  for (const auto& [conf, part] :
+       {std::pair{reading, "out.txt"}, {misspelt, "readonly"}, {scratch / "none.conf", "none.conf"}}) {
+    SCOPED_TRACE(conf);
+    const auto result = expect_command_refused(
+        {"+I" + scene.string(), "+O" + picture.string(), "--permissions", conf.string()}, picture, scratch);
+    EXPECT_NE(result.err.find(part), std::string::npos) << result.err;
+    EXPECT_FALSE(fs::exists(scratch / "out.txt"));
+  }
+}
+
 TEST(Refuses, AnUnknownSchemeAMalformedOneAndABoostOfNothing) {
   const ScratchFolder scratch;
   const auto picture = scratch / "picture.png";
