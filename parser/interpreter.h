@@ -192,6 +192,7 @@ class Interpreter final : public TokenStream {
   // recovery.cpp
   bool is_consequence(const SyntaxError& error) const;
   void report_mistake(const SyntaxError& error);
+  std::string standard_file_hint(std::string_view name) const;
   [[noreturn]] void give_up();
   std::uint32_t next_statement(std::uint32_t start, std::uint32_t reached) const;
   bool may_begin_statement(std::uint32_t index) const;

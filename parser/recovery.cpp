@@ -10,6 +10,8 @@ using render::Diagnostic;
 
 namespace {
 
+constexpr std::size_t kShortestStandardName = 3;  // shorter ones are anybody's
+
 bool goes_on_with_block(Keyword word) {
   return word == Keyword::else_ || word == Keyword::elseif || word == Keyword::case_ || word == Keyword::range;
 }
@@ -29,11 +31,20 @@ void Interpreter::report_mistake(const SyntaxError& error) {
   if (!is_consequence(error)) {
     const Diagnostic& at = error.diagnostics.front();
     reported_places_.insert({at.file, at.line, at.column});
-    for (const Diagnostic& message : error.diagnostics) report(message);
+    render::Diagnostics messages = error.diagnostics;
+    if (error.undeclared != kNoSymbol) messages.front().message += standard_file_hint(symbols_.name(error.undeclared));
+    for (const Diagnostic& message : messages) report(message);
     if (++mistakes_ >= kMostMistakes) give_up();
   }
   if (error.undeclared != kNoSymbol) broken_names_.insert(error.undeclared);
   if (++failures_ >= kMostFailures) give_up();
+}
+
+std::string Interpreter::standard_file_hint(std::string_view name) const {
+  if (name.size() < kShortestStandardName) return {};
+  const std::string file = files_.standard_file_with(name);
+  if (file.empty()) return {};
+  return "; '" + std::string(name) + "' is declared in the standard file '" + file + "', which is not included";
 }
 
 void Interpreter::give_up() {

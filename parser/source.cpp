@@ -4,6 +4,7 @@
 #include <array>
 #include <cctype>
 #include <fstream>
+#include <iterator>
 #include <system_error>
 #include <utility>
 
@@ -72,6 +73,29 @@ std::vector<std::uint32_t> find_line_starts(std::string_view text) {
     if (text[i] == '\n' || lone_return) starts.push_back(static_cast<std::uint32_t>(i + 1));
   }
   return starts;
+}
+
+bool declares(std::string_view text, std::string_view name) {
+  for (const std::string_view directive : {"#declare ", "#macro "}) {
+    const std::string wanted = std::string(directive) + std::string(name);
+    for (std::size_t at = text.find(wanted); at != std::string_view::npos; at = text.find(wanted, at + 1)) {
+      const std::size_t end = at + wanted.size();
+      const bool whole =
+          end == text.size() || (std::isalnum(static_cast<unsigned char>(text[end])) == 0 && text[end] != '_');
+      if (whole && (at == 0 || text[at - 1] == '\n')) return true;
+    }
+  }
+  return false;
+}
+
+std::vector<fs::path> include_files_in(const fs::path& folder) {
+  std::vector<fs::path> files;
+  std::error_code error;
+  for (fs::directory_iterator entry(folder, error), end; !error && entry != end; entry.increment(error)) {
+    if (entry->path().extension() == ".inc") files.push_back(entry->path());
+  }
+  std::sort(files.begin(), files.end());
+  return files;
 }
 
 }  // namespace
@@ -143,6 +167,21 @@ SourceFiles::Result SourceFiles::place_for_writing(const std::string& name) cons
                        std::all_of(permissions_.begin(), permissions_.end(),
                                    [&](const Permissions& permissions) { return permissions.may_write(path); });
   return {allowed ? Status::found : Status::forbidden, nullptr, path.empty() ? name : path.string(), false};
+}
+
+std::string SourceFiles::standard_file_with(std::string_view name) const {
+  for (const char* folder : kStandardIncludeFolders) {
+    for (const fs::path& path : include_files_in(folder)) {
+      const fs::path where = resolved(path);
+      const bool known =
+          std::any_of(files_.begin(), files_.end(), [&](const auto& file) { return file->path == where; });
+      if (known || !is_file(path) || !may_read_found(path)) continue;
+      std::ifstream stream(path, std::ios::binary);
+      const std::string text{std::istreambuf_iterator<char>(stream), {}};
+      if (declares(text, name)) return path.filename().string();
+    }
+  }
+  return {};
 }
 
 void SourceFiles::forget(const fs::path& canonical) {

@@ -58,6 +58,8 @@ class SourceFiles {
   Result find_file(const std::string& name, const std::vector<std::string>& extensions, const SourceFile& from) const;
   /// The canonical path of a file that may be written.
   Result place_for_writing(const std::string& name) const;
+  /// The standard include file, not read so far, that declares `name` at the beginning of a line; empty when none does.
+  std::string standard_file_with(std::string_view name) const;
   /// The file at that path has changed: read it anew when it is asked for again.
   void forget(const std::filesystem::path& canonical);
   const SourceFile& file(std::uint32_t index) const { return *files_[index]; }
