@@ -44,7 +44,7 @@ class Compiler {
     return true;
   }
   [[noreturn]] void fail(const Token& at, std::string message) const {
-    throw FunctionError{at.location, std::move(message)};
+    throw FunctionError{at.location, std::move(message), kNoSymbol};
   }
   [[noreturn]] void fail_expected(const std::string& what) const {
     const bool end = next().is_end() || at_ >= tokens_.size();
@@ -201,7 +201,9 @@ class Compiler {
   /// What a name outside of the function stands for.
   void name(const Token& token) {
     const FunctionName* meaning = at_ < scope_.names.size() ? &scope_.names[at_] : nullptr;
-    if (meaning == nullptr || (meaning->size == 0 && !meaning->function)) fail(token, unknown(token));
+    if (meaning == nullptr || (meaning->size == 0 && !meaning->function)) {
+      throw FunctionError{token.location, unknown(token), token.symbol};
+    }
     ++at_;
     if (meaning->function) return call(token, meaning->function);
     if (meaning->size == 1) return emitter_.constant(meaning->values[0]);

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "parser/syntax_error.h"
 #include "parser/token.h"
 #include "render/function/program.h"
 
@@ -16,6 +17,7 @@ namespace firstlight::parser {
 struct FunctionError {
   Location at;
   std::string message;
+  std::uint32_t unknown = kNoSymbol;  ///< the name that has no meaning, if that is the mistake
 };
 
 /// What a declared name, or an element of an array, stands for in the body of a function.

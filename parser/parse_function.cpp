@@ -93,7 +93,12 @@ render::FunctionPtr parse_expression(Reader& reader, const Token& word, std::spa
   try {
     return compile_function(body.tokens, scope);
   } catch (const FunctionError& error) {
-    reader.interpreter().fail(error.at, error.message);
+    try {
+      reader.interpreter().fail(error.at, error.message);
+    } catch (SyntaxError& mistake) {
+      mistake.undeclared = error.unknown;
+      throw;
+    }
   }
 }
 

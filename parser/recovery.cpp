@@ -32,7 +32,11 @@ void Interpreter::report_mistake(const SyntaxError& error) {
     const Diagnostic& at = error.diagnostics.front();
     reported_places_.insert({at.file, at.line, at.column});
     render::Diagnostics messages = error.diagnostics;
-    if (error.undeclared != kNoSymbol) messages.front().message += standard_file_hint(symbols_.name(error.undeclared));
+    if (error.undeclared != kNoSymbol && scopes_.find(error.undeclared) == nullptr) {
+      const std::string hint = standard_file_hint(symbols_.name(error.undeclared));
+      std::string& message = messages.front().message;
+      if (!hint.empty()) message = message.substr(0, message.find("; did you mean")) + hint;
+    }
     for (const Diagnostic& message : messages) report(message);
     if (++mistakes_ >= kMostMistakes) give_up();
   }

@@ -126,6 +126,9 @@ TEST(Recovery, ANameOfAStandardFileTellsWhichToInclude) {
                 .find("; 'Salmon' is declared in the standard file 'colors.inc', which is not included"),
             std::string::npos);
   EXPECT_NE(debugged("object { Round_Box(-x, x, 0.1, 0) }").find("standard file 'shapes.inc'"), std::string::npos);
+  EXPECT_NE(debugged("isosurface { function { f_noise3d(x, y, z) } }").find("standard file 'functions.inc'"),
+            std::string::npos);
+  EXPECT_EQ(debugged("sphere { 0, 1 pigment { White } }").find("did you mean"), std::string::npos);
   // A part of a name, and one of a file that is included, are none.
   EXPECT_EQ(debugged("sphere { 0, Salmo }").find("standard file"), std::string::npos);
   EXPECT_EQ(debugged("#include \"colors.inc\"\n#undef Salmon\nsphere { 0, Salmon }").find("standard file"),
