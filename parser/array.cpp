@@ -177,7 +177,8 @@ void Interpreter::check_element(Array& array, const Value& value, const Location
 // `value` goes into an array or dictionary that has `level` - 1 others around it.
 void Interpreter::check_depth(std::uint32_t level, const Value& value, const Location& at) {
   if (level + depth_of(value) > kDeepestArray) {
-    fail(at, "arrays and dictionaries are nested too deeply here (limit " + std::to_string(kDeepestArray) + ")");
+    fail_finally(at,
+                 "arrays and dictionaries are nested too deeply here (limit " + std::to_string(kDeepestArray) + ")");
   }
 }
 

@@ -76,5 +76,14 @@ TEST(StringFunction, ComparesAndReadsNumbersAsPovRayDoes) {
   EXPECT_EQ(number("val(\"--3\")", 1), "0.0");
 }
 
+// Going on after it would copy the large array again and again.
+TEST(Limit, ReadingEndsWhereArraysAreNestedTooDeeply) {
+  const auto result = load(
+      "#declare A = array[1] {1}; #declare I = 0; #while (I < 40) #declare A = array[1] {A} #declare I = I + 1; #end "
+      "#debug \"behind\"");
+  EXPECT_NE(errors(result).find("nested too deeply"), std::string::npos) << errors(result);
+  EXPECT_EQ(messages(result, render::Diagnostic::Severity::debug), "");
+}
+
 }  // namespace
 }  // namespace firstlight::parser
