@@ -57,8 +57,34 @@ Interpreter::Target Interpreter::parse_target(const Token& word) {
   return target;
 }
 
+// `Name = numbers;` for whose value there is a formula, as in most turns of loops and calls of macros. False when it is
+// none; then nothing is taken.
+bool Interpreter::declare_by_formula(const Token& word) {
+  const Token& name = raw_next();
+  if (name.kind != TokenKind::identifier || !(&name)[1].is(Punctuation::equal)) return false;
+  Frame& frame = frames_.back();
+  const std::uint32_t begin = frame.position;
+  frame.position += 2;
+  const Scopes::Binding* const binding = scopes_.find(name.symbol);
+  const Formula* const formula = next_formula(Formula::Kind::sum, Punctuation::none, Punctuation::semicolon);
+  if (formula != nullptr &&
+      (binding == nullptr || !std::holds_alternative<std::shared_ptr<const Macro>>(*binding->slot))) {
+    // The name means what is declared here from now on, even in the value.
+    Value& target = *scopes_.target(name.symbol, word.is(Keyword::local));
+    Numbers numbers;
+    if (evaluate(*formula, 1, numbers, Punctuation::semicolon)) {
+      round_color(numbers);
+      target = numbers;
+      return true;
+    }
+  }
+  frame.position = begin;
+  return false;
+}
+
 void Interpreter::run_declare(const Token& word, bool after_hash) {
   unsettle();
+  if (declare_by_formula(word)) return;
   const Token& next = raw_next();
   if (next.is(Punctuation::left_paren) || next.is(Punctuation::less) || next.is(Punctuation::left_brace)) {
     return run_several_declare(word);
@@ -109,6 +135,16 @@ Interpreter::Argument Interpreter::parse_argument(bool parameter) {
   const Nesting nesting(*this);
   const std::uint32_t caller = scopes_.current();
   Argument result;
+  if (const Formula* const formula = next_formula(Formula::Kind::sum);
+      formula != nullptr && !(parameter && formula->is_name())) {
+    Numbers numbers;
+    if (evaluate(*formula, 1, numbers)) {
+      round_color(numbers);
+      result.value = numbers;
+      result.needs_semicolon = true;
+      return result;
+    }
+  }
   Token first;
   Scopes::Binding name;
   {

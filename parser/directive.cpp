@@ -118,6 +118,7 @@ const TokenFile& Interpreter::tokens_of(const SourceFile& file) {
 }
 
 void Interpreter::count_step(const Location& at) {
+  replays_ = true;
   if (++steps_ > kMostSteps) {
     fail_finally(at, "this scene turns in loops or macros without end (limit " + std::to_string(kMostSteps) +
                          " turns and calls)");

@@ -12,43 +12,6 @@ namespace firstlight::parser {
 
 namespace {
 
-// A single number becomes equal components, a shorter vector is filled up with zeros.
-void promote(Numbers& numbers, std::uint8_t terms) {
-  if (numbers.size >= terms) return;
-  const double fill = numbers.size == 1 ? numbers.values[0] : 0.0;
-  for (std::size_t i = numbers.size; i < terms; ++i) numbers.values[i] = fill;
-  numbers.size = terms;
-}
-
-Numbers single(double value, std::uint8_t terms) {
-  Numbers result;
-  result.values[0] = value;
-  promote(result, terms);
-  return result;
-}
-
-// A function's or name's value where `terms` components are wanted. Vectors of three keep further components at zero;
-// those of two, four and five are what they are.
-Numbers fitted(Numbers value, std::uint8_t terms) {
-  if (value.size == 1) promote(value, terms);
-  if (value.size == 3 && terms > 3) value.size = terms;
-  return value;
-}
-
-template <class Operation>
-Numbers combine(Numbers left, Numbers right, Operation operation) {
-  if (left.size == 1 && right.size == 1) {  // most of them
-    left.values[0] = operation(left.values[0], right.values[0]);
-    left.is_color = false;
-    return left;
-  }
-  promote(left, right.size);
-  promote(right, left.size);
-  for (std::size_t i = 0; i < left.size; ++i) left.values[i] = operation(left.values[i], right.values[i]);
-  left.is_color = false;
-  return left;
-}
-
 Numbers parse_operand(Interpreter& in, std::uint8_t terms);
 
 // `<a, b>` to `<a, b, c, d, e>`, the `<` taken.
@@ -64,48 +27,14 @@ Numbers parse_vector_literal(Interpreter& in) {
 }
 
 // `.x`, `.red` ... behind an operand.
-void pick_component(Interpreter& in, Numbers& numbers) {
+void take_component(Interpreter& in, Numbers& numbers) {
   in.take();
   const Token& word = in.peek();
-  std::size_t component = 0;
-  switch (word.keyword) {
-    case Keyword::x:
-    case Keyword::u:
-    case Keyword::red:
-      component = 0;
-      break;
-    case Keyword::y:
-    case Keyword::v:
-    case Keyword::green:
-      component = 1;
-      break;
-    case Keyword::z:
-    case Keyword::blue:
-      component = 2;
-      break;
-    case Keyword::t:
-    case Keyword::filter:
-      component = 3;
-      break;
-    case Keyword::transmit:
-      component = 4;
-      break;
-    case Keyword::gray: {
-      in.take();
-      // Weights of POV-Ray's grey scale.
-      const auto& v = numbers.values;
-      numbers = single(0.297 * v[0] + 0.589 * v[1] + 0.114 * v[2], 1);
-      return;
-    }
-    default:
-      in.fail(word.location, "expected a component such as 'x' or 'red' after '.', found " + in.describe_next());
-  }
-  if (component >= numbers.size) {
-    in.fail(word.location,
-            "a value of " + std::to_string(int{numbers.size}) + " components has no '." + std::string(word.text) + "'");
+  if (picked_component(word.keyword) == kNoComponent) {
+    in.fail(word.location, "expected a component such as 'x' or 'red' after '.', found " + in.describe_next());
   }
   in.take();
-  numbers = single(numbers.values[component], 1);
+  numbers = single(pick_component(in, word, numbers), 1);
 }
 
 Numbers parse_operand_alone(Interpreter& in, std::uint8_t terms) {
@@ -140,13 +69,13 @@ Numbers parse_operand_alone(Interpreter& in, std::uint8_t terms) {
       if (token.is(Punctuation::dash)) {
         in.take();
         Numbers result = parse_operand(in, terms);
-        for (std::size_t i = 0; i < result.size; ++i) result.values[i] = -result.values[i];
+        change(result, negated);
         return result;
       }
       if (token.is(Punctuation::exclamation)) {
         in.take();
         Numbers result = parse_operand(in, terms);
-        for (std::size_t i = 0; i < result.size; ++i) result.values[i] = is_true(result.values[i]) ? 0.0 : 1.0;
+        change(result, inverted);
         return result;
       }
       if (token.is(Punctuation::left_paren)) {
@@ -185,7 +114,7 @@ Numbers parse_operand(Interpreter& in, std::uint8_t terms) {
     const Interpreter::Release release(in);
     result = parse_operand_alone(in, terms);
   }
-  if (in.peek().is(Punctuation::period)) pick_component(in, result);
+  if (in.peek().is(Punctuation::period)) take_component(in, result);
   return result;
 }
 
@@ -198,46 +127,26 @@ Numbers parse_product(Interpreter& in, std::uint8_t terms) {
       left = combine(left, parse_operand(in, left.size), [](double a, double b) { return a * b; });
     } else if (mark.is(Punctuation::slash)) {
       in.take();
-      left = combine(left, parse_operand(in, left.size), [&](double a, double b) {
-        if (b != 0.0) return a / b;
-        in.warn(mark.location, "division by zero");
-        return std::numeric_limits<double>::infinity();
-      });
+      left = combine(left, parse_operand(in, left.size), [&](double a, double b) { return divide(in, mark, a, b); });
     } else {
       return left;
     }
   }
 }
 
-bool is_comparison(const Token& token) {
-  switch (token.punctuation) {
-    case Punctuation::less:
-    case Punctuation::less_equal:
-    case Punctuation::equal:
-    case Punctuation::not_equal:
-    case Punctuation::greater_equal:
-    case Punctuation::greater:
-      return token.kind == TokenKind::punctuation;
-    default:
-      return false;
-  }
-}
-
-// Order and equality as POV-Ray has them: `<` and `>` are exact, the others allow kSmallestTrue.
-bool compare(Punctuation mark, double a, double b) {
-  switch (mark) {
-    case Punctuation::less:
-      return a < b;
-    case Punctuation::less_equal:
-      return a <= b || !is_true(a - b);
-    case Punctuation::equal:
-      return !is_true(a - b);
-    case Punctuation::not_equal:
-      return is_true(a - b);
-    case Punctuation::greater_equal:
-      return a >= b || !is_true(a - b);
-    default:
-      return a > b;
+Numbers parse_sum_by_tokens(Interpreter& in, std::uint8_t terms) {
+  Numbers left = parse_product(in, terms);
+  for (;;) {
+    const Token& mark = in.peek();
+    if (mark.is(Punctuation::plus)) {
+      in.take();
+      left = combine(left, parse_product(in, left.size), [](double a, double b) { return a + b; });
+    } else if (mark.is(Punctuation::dash)) {
+      in.take();
+      left = combine(left, parse_product(in, left.size), [](double a, double b) { return a - b; });
+    } else {
+      return left;
+    }
   }
 }
 
@@ -260,8 +169,7 @@ Numbers parse_comparison(Interpreter& in, std::uint8_t terms) {
   Numbers left = parse_sum(in, terms);
   while (is_comparison(in.peek())) {
     const Punctuation mark = in.take().punctuation;
-    left =
-        combine(left, parse_sum(in, left.size), [mark](double a, double b) { return compare(mark, a, b) ? 1.0 : 0.0; });
+    left = combine(left, parse_sum(in, left.size), [mark](double a, double b) { return truth(mark, a, b); });
   }
   return left;
 }
@@ -270,39 +178,14 @@ Numbers parse_logical(Interpreter& in, std::uint8_t terms) {
   Numbers left = parse_comparison(in, terms);
   for (;;) {
     const Token& mark = in.peek();
-    const bool both = mark.is(Punctuation::ampersand);
-    if (!both && !mark.is(Punctuation::bar)) return left;
+    if (!mark.is(Punctuation::ampersand) && !mark.is(Punctuation::bar)) return left;
     in.take();
-    left = combine(left, parse_comparison(in, left.size), [both](double a, double b) {
-      return (both ? is_true(a) && is_true(b) : is_true(a) || is_true(b)) ? 1.0 : 0.0;
-    });
+    left = combine(left, parse_comparison(in, left.size),
+                   [&](double a, double b) { return truth(mark.punctuation, a, b); });
   }
 }
 
-[[noreturn]] void fail_components(Interpreter& in, const Token& at, std::string_view expected, const Numbers& found) {
-  in.fail(at.location,
-          "expected a " + std::string(expected) + ", found a " + std::string(kind_name(found)) + " expression");
-}
-
-}  // namespace
-
-Numbers parse_sum(Interpreter& in, std::uint8_t terms) {
-  Numbers left = parse_product(in, terms);
-  for (;;) {
-    const Token& mark = in.peek();
-    if (mark.is(Punctuation::plus)) {
-      in.take();
-      left = combine(left, parse_product(in, left.size), [](double a, double b) { return a + b; });
-    } else if (mark.is(Punctuation::dash)) {
-      in.take();
-      left = combine(left, parse_product(in, left.size), [](double a, double b) { return a - b; });
-    } else {
-      return left;
-    }
-  }
-}
-
-Numbers parse_full_expression(Interpreter& in, std::uint8_t terms) {
+Numbers parse_full_by_tokens(Interpreter& in, std::uint8_t terms) {
   const Interpreter::Nesting nesting(in);
   const Token& first = in.peek();
   Numbers result = parse_logical(in, 1);
@@ -319,25 +202,76 @@ Numbers parse_full_expression(Interpreter& in, std::uint8_t terms) {
   return is_true(result.values[0]) ? if_true : if_false;
 }
 
+// An expression, by the formula for it if there is one. `at` becomes its first token.
+Numbers parse_numbers(Interpreter& in, Formula::Kind kind, std::uint8_t terms, const Token*& at) {
+  Numbers result;
+  const Formula* const formula = in.next_formula(kind);
+  if (formula != nullptr && in.evaluate(*formula, terms, result)) {
+    at = &formula->first();
+    return result;
+  }
+  at = &in.peek();
+  return kind == Formula::Kind::sum ? parse_sum_by_tokens(in, terms) : parse_full_by_tokens(in, terms);
+}
+
+}  // namespace
+
+void fail_components(Interpreter& in, const Token& at, std::string_view expected, const Numbers& found) {
+  in.fail(at.location,
+          "expected a " + std::string(expected) + ", found a " + std::string(kind_name(found)) + " expression");
+}
+
+double divide(Interpreter& in, const Token& mark, double a, double b) {
+  if (b != 0.0) return a / b;
+  in.warn(mark.location, "division by zero");
+  return std::numeric_limits<double>::infinity();
+}
+
+double pick_component(Interpreter& in, const Token& word, const Numbers& numbers) {
+  const std::size_t component = picked_component(word.keyword);
+  const auto& v = numbers.values;
+  if (component == kGray) return 0.297 * v[0] + 0.589 * v[1] + 0.114 * v[2];  // the weights of POV-Ray's grey scale
+  if (component < numbers.size) return v[component];
+  in.fail(word.location,
+          "a value of " + std::to_string(int{numbers.size}) + " components has no '." + std::string(word.text) + "'");
+}
+
+Numbers parse_sum(Interpreter& in, std::uint8_t terms) {
+  const Token* at = nullptr;
+  return parse_numbers(in, Formula::Kind::sum, terms, at);
+}
+
+Numbers parse_full_expression(Interpreter& in, std::uint8_t terms) {
+  const Token* at = nullptr;
+  return parse_numbers(in, Formula::Kind::full, terms, at);
+}
+
 double parse_float(Interpreter& in) {
-  const Token& at = in.peek();
-  const Numbers numbers = parse_sum(in, 1);
-  if (numbers.size != 1) fail_components(in, at, "float", numbers);
+  const Token* at = nullptr;
+  const Numbers numbers = parse_numbers(in, Formula::Kind::sum, 1, at);
+  if (numbers.size != 1) fail_components(in, *at, "float", numbers);
   return numbers.values[0];
 }
 
 render::Vec3 parse_vector(Interpreter& in) {
-  const Token& at = in.peek();
-  const Numbers numbers = parse_sum(in, 3);
-  if (numbers.size > 3) fail_components(in, at, "vector", numbers);
+  const Token* at = nullptr;
+  const Numbers numbers = parse_numbers(in, Formula::Kind::sum, 3, at);
+  if (numbers.size > 3) fail_components(in, *at, "vector", numbers);
   return {numbers.values[0], numbers.values[1], numbers.values[2]};
 }
 
 double parse_condition(Interpreter& in) {
   const Interpreter::Hold hold(in);
+  Numbers numbers;
+  const Formula* const formula =
+      in.next_formula(Formula::Kind::full, Punctuation::left_paren, Punctuation::right_paren);
+  if (formula != nullptr && in.evaluate(*formula, 1, numbers, Punctuation::right_paren)) {
+    if (numbers.size != 1) fail_components(in, formula->first(), "float", numbers);
+    return numbers.values[0];
+  }
   in.expect(Punctuation::left_paren, "before the condition");
   const Token& at = in.peek();
-  const Numbers numbers = parse_full_expression(in, 1);
+  numbers = parse_full_by_tokens(in, 1);
   if (numbers.size != 1) fail_components(in, at, "float", numbers);
   in.expect(Punctuation::right_paren, "behind the condition");
   return numbers.values[0];

@@ -1,22 +1,19 @@
 #pragma once
 
+#include "parser/arithmetic.h"
 #include "parser/token.h"
 #include "parser/value.h"
 #include "render/math/color.h"
 #include "render/math/vec.h"
 
-#include <cmath>
 #include <cstdint>
 #include <string>
+#include <string_view>
 #include <utility>
 
 namespace firstlight::parser {
 
 class Interpreter;
-
-/// Numbers nearer to 0 than this are false, and nearer to each other are equal. [POV-Ray 3.7, EPSILON of its parser]
-constexpr double kSmallestTrue = 1e-10;
-inline bool is_true(double value) { return std::abs(value) > kSmallestTrue; }
 
 // Numeric, vector and colour expressions. `terms` is the number of components that the place wants: a single number is
 // promoted to that many equal ones as soon as it is read, which shows when vectors of different length meet
@@ -44,6 +41,15 @@ bool at_float(Interpreter& in);
 /// Value of the function or constant `word`, which has been taken. Pre: word_kind() is number or vector.
 /// [functions.cpp] Leaves a single number (size 1) or a vector (size 3, or 2 and 4 for u, v and t).
 Numbers parse_function(Interpreter& in, const Token& word);
+
+// Operations that may find a mistake, whoever has read their operands.
+
+/// Division by 0 is infinite, with a warning at the sign `mark`.
+double divide(Interpreter& in, const Token& mark, double a, double b);
+/// Of `.word`; fails where `numbers` has no such component.
+double pick_component(Interpreter& in, const Token& word, const Numbers& numbers);
+/// "expected a float, found a vector expression", at the expression's first token.
+[[noreturn]] void fail_components(Interpreter& in, const Token& at, std::string_view expected, const Numbers& found);
 
 /// For messages.
 std::string number_text(double value);

@@ -1,14 +1,13 @@
 // Words that are values or functions in expressions. [POV-Ray 3.7 manual, "Float Expressions", "Vector Expressions"]
 #include "parser/expression.h"
+#include "parser/function_values.h"
 #include "parser/interpreter.h"
 #include "parser/object_functions.h"
 #include "parser/string_expression.h"
 #include "render/math/noise.h"
-#include "render/math/transform.h"
 
 #include <algorithm>
 #include <chrono>
-#include <climits>
 #include <cstdlib>
 #include <numbers>
 
@@ -16,25 +15,10 @@ namespace firstlight::parser {
 
 namespace {
 
-constexpr double kRadiansPerDegree = std::numbers::pi / 180.0;
-
-// POV-Ray cuts numbers to 32-bit integers; what does not fit becomes the lowest one, as its processors do it.
-int to_int(double value) {
-  const double whole = std::trunc(value);
-  return whole >= INT_MIN && whole <= INT_MAX ? static_cast<int>(whole) : INT_MIN;
-}
-
 Numbers vector_of(const render::Vec3& v) {
   Numbers result;
   result.values = {v.x, v.y, v.z, 0.0, 0.0};
   result.size = 3;
-  return result;
-}
-
-Numbers unit(std::size_t component, std::uint8_t size) {
-  Numbers result;
-  result.values[component] = 1.0;
-  result.size = size;
   return result;
 }
 
@@ -62,123 +46,12 @@ class Call {
   const Token& word_;
 };
 
-// acos and asin take what is outside their domain for its end.
-double into_domain(Interpreter& in, const Token& word, double value) {
-  if (value >= -1.0 && value <= 1.0) return value;
-  in.warn(word.location, "'" + std::string(word.text) + "' of " + number_text(value) + ", which is outside -1 to 1");
-  return std::clamp(value, -1.0, 1.0);
-}
-
-double of_one_number(Interpreter& in, const Token& word) {
-  const double value = parse_condition(in);
-  const auto refuse = [&](const char* needed) {
-    in.fail(word.location,
-            "'" + std::string(word.text) + "' needs a number " + needed + ", found " + number_text(value));
-  };
-  switch (word.keyword) {
-    case Keyword::abs:
-      return std::abs(value);
-    case Keyword::acos:
-      return std::acos(into_domain(in, word, value));
-    case Keyword::asin:
-      return std::asin(into_domain(in, word, value));
-    case Keyword::atan:
-      return std::atan(value);
-    case Keyword::acosh:
-      return std::acosh(value);
-    case Keyword::asinh:
-      return std::asinh(value);
-    case Keyword::atanh:
-      return std::atanh(value);
-    case Keyword::ceil:
-      return std::ceil(value);
-    case Keyword::cos:
-      return std::cos(value);
-    case Keyword::cosh:
-      return std::cosh(value);
-    case Keyword::degrees:
-      return value / kRadiansPerDegree;
-    case Keyword::exp:
-      return std::exp(value);
-    case Keyword::floor:
-      return std::floor(value);
-    case Keyword::int_:
-      return to_int(value);
-    case Keyword::ln:
-      if (value <= 0.0) refuse("above 0");
-      return std::log(value);
-    case Keyword::log:
-      if (value <= 0.0) refuse("above 0");
-      return std::log10(value);
-    case Keyword::radians:
-      return value * kRadiansPerDegree;
-    case Keyword::sin:
-      return std::sin(value);
-    case Keyword::sinh:
-      return std::sinh(value);
-    case Keyword::sqr:
-      return value * value;
-    case Keyword::sqrt:
-      if (value < 0.0) refuse("not below 0");
-      return std::sqrt(value);
-    case Keyword::tan:
-      return std::tan(value);
-    case Keyword::tanh:
-      return std::tanh(value);
-    case Keyword::seed:
-      return static_cast<double>(in.random().open(to_int(value)));
-    default: {  // rand
-      const int stream = to_int(value);
-      if (stream < 0 || static_cast<std::size_t>(stream) >= in.random().count()) {
-        in.fail(word.location, "'rand' needs a stream that 'seed' has made, found " + number_text(value));
-      }
-      return in.random().next(static_cast<std::size_t>(stream));
-    }
-  }
-}
-
-double of_two_numbers(Interpreter& in, const Token& word) {
-  const auto [a, b] = parse_two_numbers(in);
-  switch (word.keyword) {
-    case Keyword::atan2:
-      if (!is_true(a) && !is_true(b)) in.fail(word.location, "'atan2' of two zeros has no value");
-      return std::atan2(a, b);
-    case Keyword::div:
-      return to_int(a / b);
-    case Keyword::mod:
-      return std::fmod(a, b);
-    default:  // pow
-      if (a == 0.0 && b == 0.0) in.fail(word.location, "'pow' of two zeros has no value");
-      return std::pow(a, b);
-  }
-}
-
 double of_many_numbers(Interpreter& in, const Token& word) {
   Call call(in, word);
   double result = call.number();
-  while (call.more()) {
-    const double next = call.number();
-    switch (word.keyword) {
-      case Keyword::max:
-        result = std::max(result, next);
-        break;
-      case Keyword::min:
-        result = std::min(result, next);
-        break;
-      case Keyword::bitwise_and:
-        result = to_int(result) & to_int(next);
-        break;
-      case Keyword::bitwise_or:
-        result = to_int(result) | to_int(next);
-        break;
-      default:  // bitwise_xor
-        result = to_int(result) ^ to_int(next);
-        break;
-    }
-  }
+  while (call.more()) result = fold(word.keyword, result, call.number());
   call.close();
-  const bool whole = word.keyword != Keyword::max && word.keyword != Keyword::min;
-  return whole ? to_int(result) : result;
+  return fold_end(word.keyword, result);
 }
 
 // select(a, b, c): b below 0, else c; select(a, b, c, d): c at 0 and d above.
@@ -250,29 +123,17 @@ double days_since_2000() {
 render::Vec3 of_vectors(Interpreter& in, const Token& word) {
   Call call(in, word);
   const render::Vec3 first = call.vector();
-  render::Vec3 result = first;
-  if (word.is(Keyword::vnormalize)) {
-    const double length = std::sqrt(first.dot(first));
-    if (length > 0.0) {
-      result = first * (1.0 / length);
-    } else {
-      in.warn(word.location, "'vnormalize' of a vector without length");
-      result = render::Vec3(0.0);
-    }
-  } else {
+  render::Vec3 second(0.0);
+  double degrees = 0.0;
+  if (takes_second_vector(word.keyword)) {
     call.comma();
-    const render::Vec3 second = call.vector();
-    if (word.is(Keyword::vcross)) {
-      result = first.cross(second);
-    } else if (word.is(Keyword::vrotate)) {
-      result = render::Transform::rotation(second).point(first);
-    } else {  // vaxis_rotate
-      call.comma();
-      const double degrees = call.number();
-      if (!(second.dot(second) > 0.0)) call.fail("'vaxis_rotate' needs an axis that has a length");
-      result = render::Transform::rotation_about(second, degrees).point(first);
-    }
+    second = call.vector();
   }
+  if (word.is(Keyword::vaxis_rotate)) {
+    call.comma();
+    degrees = call.number();
+  }
+  const render::Vec3 result = vector_of_vectors(in, word, first, second, degrees);
   call.close();
   return result;
 }
@@ -297,11 +158,13 @@ render::Vec3 turbulence(Interpreter& in, const Token& word) {
 double of_vectors_to_number(Interpreter& in, const Token& word) {
   Call call(in, word);
   const render::Vec3 first = call.vector();
-  if (word.is(Keyword::vdot)) call.comma();
-  const render::Vec3 second = word.is(Keyword::vdot) ? call.vector() : first;
+  render::Vec3 second(0.0);
+  if (takes_second_vector(word.keyword)) {
+    call.comma();
+    second = call.vector();
+  }
   call.close();
-  const double dot = first.dot(second);
-  return word.is(Keyword::vdot) ? dot : std::sqrt(dot);
+  return number_of_vectors(word.keyword, first, second);
 }
 
 double number_of(Interpreter& in, const Token& word) {
@@ -325,17 +188,6 @@ double number_of(Interpreter& in, const Token& word) {
       return days_since_2000();
     case Keyword::defined:
       return in.parse_defined() ? 1.0 : 0.0;
-    case Keyword::atan2:
-    case Keyword::div:
-    case Keyword::mod:
-    case Keyword::pow:
-      return of_two_numbers(in, word);
-    case Keyword::max:
-    case Keyword::min:
-    case Keyword::bitwise_and:
-    case Keyword::bitwise_or:
-    case Keyword::bitwise_xor:
-      return of_many_numbers(in, word);
     case Keyword::select:
       return select(in, word);
     case Keyword::dimensions:
@@ -347,16 +199,25 @@ double number_of(Interpreter& in, const Token& word) {
     case Keyword::strlen:
     case Keyword::val:
       return of_strings(in, word);
-    case Keyword::vdot:
-    case Keyword::vlength:
-      return of_vectors_to_number(in, word);
     case Keyword::inside:
       return parse_inside(in, word) ? 1.0 : 0.0;
     case Keyword::sum:
     case Keyword::prod:
       in.fail(word.location, "'" + std::string(word.text) + "' can only be used in the body of a function");
     default:
-      return of_one_number(in, word);
+      break;
+  }
+  switch (call_form(word.keyword)) {
+    case CallForm::two_numbers: {
+      const auto [a, b] = parse_two_numbers(in);
+      return value_of_two(in, word, a, b);
+    }
+    case CallForm::fold:
+      return of_many_numbers(in, word);
+    case CallForm::vectors:
+      return of_vectors_to_number(in, word);
+    default:
+      return value_of_number(in, word, parse_condition(in));
   }
 }
 

@@ -57,6 +57,14 @@ class Interpreter final : public TokenStream {
   bool set_assumed_gamma(render::WorkingGamma gamma, double exponent = 1.0) {
     return language_.set_assumed_gamma(gamma, exponent);
   }
+  /// Takes the expression of what next_formula() has given, and the marks around it, and evaluates it. False when the
+  /// formula does not hold now: then nothing is taken. `terms`: as for parse_sum().
+  bool evaluate(const Formula& formula, std::uint8_t terms, Numbers& result, Punctuation closing = Punctuation::none) {
+    FormulaValues values;
+    if (!accept_formula(formula, closing, values)) return false;
+    formula.evaluate(*this, {values.data(), formula.names().size()}, terms, result);
+    return true;
+  }
   RandomStreams& random() { return random_; }
   const render::LoadOptions& options() const { return options_; }
   /// Of a function, at parse time; `name` is where it is called.
@@ -145,9 +153,10 @@ class Interpreter final : public TokenStream {
   void check_same_frame(std::size_t frames, const Token& word);
   // macro.cpp
   void define_macro(const Token& word, std::uint32_t hash);
-  void call_macro(const Token& name, const std::shared_ptr<const Macro>& macro) override;
+  void call_macro(const Token& name, std::shared_ptr<const Macro> macro) override;
   // declare.cpp
   void run_declare(const Token& word, bool after_hash);
+  bool declare_by_formula(const Token& word);
   void check_semicolon(const Target& target, const Token& word);
   void store(const Target& target, Value value);
   Target parse_target(const Token& word);
@@ -207,7 +216,8 @@ class Interpreter final : public TokenStream {
   RandomStreams random_;
   std::vector<std::unique_ptr<TokenFile>> token_files_;  // by SourceFile::index
   std::vector<Condition> conditions_;
-  Part picked_;  // by the last pick_part()
+  Part picked_;                          // by the last pick_part()
+  std::vector<Scopes::Slot> arguments_;  // of the macros whose arguments are being read
   std::vector<std::weak_ptr<DataFile>> written_files_;
   std::uint64_t written_bytes_ = 0;
   std::uint64_t steps_ = 0;

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "parser/formula.h"
 #include "parser/source.h"
 #include "parser/token.h"
 
@@ -34,6 +35,7 @@ constexpr std::uint32_t kNoLink = 0;
 struct TokenFile {
   const SourceFile* source = nullptr;
   std::vector<Token> tokens;
+  std::unique_ptr<FormulaTable> formulas = std::make_unique<FormulaTable>();  ///< of its expressions
 };
 
 /// Cuts a text into tokens, one at each call. Throws SyntaxError for what cannot be text of a scene.

@@ -36,41 +36,45 @@ void Interpreter::define_macro(const Token& word, std::uint32_t hash) {
   go_behind(end_of_block(hash));
 }
 
-void Interpreter::call_macro(const Token& name, const std::shared_ptr<const Macro>& macro) {
+void Interpreter::call_macro(const Token& name, std::shared_ptr<const Macro> macro) {
   const Nesting nesting(*this);
   count_step(name.location);
   // All arguments are read before the first parameter is bound: a macro may be its own argument.
-  if (!peek().is(Punctuation::left_paren)) {
-    fail(peek().location, "expected '(' to call the macro '" + std::string(name.text) + "', found " + describe_next());
-  }
-  take();
-  std::vector<Scopes::Slot> arguments;
-  arguments.reserve(macro->parameters.size());
+  expect(Punctuation::left_paren, "to call the macro", name.text);
+  struct Arguments {  // those of this call, the last of all; calls among them have theirs behind
+    std::vector<Scopes::Slot>& all;
+    const std::size_t begin;
+    ~Arguments() { all.resize(begin); }
+  };
+  const Arguments arguments{arguments_, arguments_.size()};
   for (const Macro::Parameter& parameter : macro->parameters) {
     if (parameter.optional && next_is_left_out()) {
-      arguments.emplace_back();
+      arguments_.emplace_back();
     } else {
       if (peek().is(Punctuation::right_paren)) {
         fail(peek().location, "expected " + std::to_string(macro->parameters.size()) + " arguments for the macro '" +
-                                  std::string(name.text) + "', found " + std::to_string(arguments.size()));
+                                  std::string(name.text) + "', found " +
+                                  std::to_string(arguments_.size() - arguments.begin));
       }
       Argument argument = parse_argument(true);
       charge(argument.value, name.location);
-      arguments.push_back(argument.reference ? std::move(argument.reference)
-                                             : std::make_shared<Value>(std::move(argument.value)));
+      arguments_.push_back(argument.reference ? std::move(argument.reference)
+                                              : std::make_shared<Value>(std::move(argument.value)));
     }
     if (peek().is(Punctuation::comma)) take();
   }
   expect(Punctuation::right_paren, "to close the arguments of", name.text);
+  const std::vector<Macro::Parameter>& parameters = macro->parameters;
   Frame frame;
   frame.file = macro->file;
   frame.position = macro->begin;
   frame.end = macro->end;
-  frame.macro = macro;
+  frame.macro = std::move(macro);
   frame.call = name.location;
   enter_frame(std::move(frame));
-  for (std::size_t i = 0; i < arguments.size(); ++i) {
-    if (arguments[i]) scopes_.bind(macro->parameters[i].symbol, std::move(arguments[i]));
+  for (std::size_t i = 0; i < parameters.size(); ++i) {
+    Scopes::Slot& argument = arguments_[arguments.begin + i];
+    if (argument) scopes_.bind(parameters[i].symbol, std::move(argument));
   }
 }
 

@@ -13,27 +13,27 @@ std::vector<Scopes::Binding>& Scopes::bindings(std::uint32_t symbol) {
 
 void Scopes::leave() {
   const std::uint32_t scope = current();
-  for (const std::uint32_t symbol : symbols_of_scope_.back()) {
-    std::vector<Binding>& stack = bindings_[symbol];
+  for (; bound_.size() > scope_begins_.back(); bound_.pop_back()) {
+    std::vector<Binding>& stack = bindings_[bound_.back()];
     while (!stack.empty() && stack.back().scope >= scope) stack.pop_back();
   }
-  symbols_of_scope_.pop_back();
+  scope_begins_.pop_back();
 }
 
-Scopes::Slot Scopes::target(std::uint32_t symbol, bool local) {
+const Scopes::Slot& Scopes::target(std::uint32_t symbol, bool local) {
   std::vector<Binding>& stack = bindings(symbol);
   if (!stack.empty() && (!local || stack.back().scope == current())) return stack.back().slot;
   if (local) {
     bind(symbol, std::make_shared<Value>());
-    return stack.back().slot;
+  } else {
+    stack.push_back({kGlobal, std::make_shared<Value>()});
   }
-  stack.push_back({kGlobal, std::make_shared<Value>()});
   return stack.back().slot;
 }
 
 void Scopes::bind(std::uint32_t symbol, Slot slot) {
   bindings(symbol).push_back({current(), std::move(slot)});
-  symbols_of_scope_.back().push_back(symbol);
+  bound_.push_back(symbol);
 }
 
 std::size_t Scopes::bytes() const {

@@ -28,8 +28,8 @@ class Scopes {
 
   Scopes() { enter(); }
 
-  std::uint32_t current() const { return static_cast<std::uint32_t>(symbols_of_scope_.size()); }
-  void enter() { symbols_of_scope_.emplace_back(); }
+  std::uint32_t current() const { return static_cast<std::uint32_t>(scope_begins_.size()); }
+  void enter() { scope_begins_.push_back(bound_.size()); }
   void leave();
 
   /// Null when the name is not declared; one declared but without a value yet counts as undeclared.
@@ -39,7 +39,8 @@ class Scopes {
     return std::holds_alternative<std::monostate>(*binding.slot) ? nullptr : &binding;
   }
   /// The slot that `#declare` (`local` false) or `#local` writes to; made when there is none.
-  Slot target(std::uint32_t symbol, bool local);
+  /// The reference holds until the next name is bound.
+  const Slot& target(std::uint32_t symbol, bool local);
   /// Binds the name in the current scope, over any other meaning.
   void bind(std::uint32_t symbol, Slot slot);
   /// What bytes_of() gives for all values together; one that goes by several names counts once.
@@ -52,8 +53,9 @@ class Scopes {
  private:
   std::vector<Binding>& bindings(std::uint32_t symbol);
 
-  std::vector<std::vector<Binding>> bindings_;                // by symbol; the innermost last
-  std::vector<std::vector<std::uint32_t>> symbols_of_scope_;  // by scope - 1
+  std::vector<std::vector<Binding>> bindings_;  // by symbol; the innermost last
+  std::vector<std::uint32_t> bound_;            // symbols, in the order in which bind() has bound them
+  std::vector<std::size_t> scope_begins_;       // in bound_, by scope - 1
 };
 
 }  // namespace firstlight::parser

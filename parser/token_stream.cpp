@@ -74,7 +74,7 @@ bool TokenStream::settle_name(const Token& name) {
     if (const auto* macro = std::get_if<std::shared_ptr<const Macro>>(value)) {
       is_macro = true;
       if (!is_held()) {
-        call_macro(name, std::shared_ptr<const Macro>(*macro));
+        call_macro(name, *macro);
         return false;
       }
     } else if (picks_part(*value, raw_next())) {
@@ -95,13 +95,6 @@ void TokenStream::warn_of_deprecated(const Token& name) {
   if (found == deprecated_.end()) return;
   warn(name.location, found->second.message);
   if (found->second.once) deprecated_.erase(found);
-}
-
-void TokenStream::unsettle() {
-  if (!settled_) return;
-  settled_ = false;
-  pending_ = false;
-  frames_.back().position = next_index_;
 }
 
 std::map<std::string, std::uint64_t> TokenStream::keyword_counts() const {
@@ -139,6 +132,40 @@ bool TokenStream::accept_word(std::string_view word) {
   return true;
 }
 
+const Formula* TokenStream::next_formula(Formula::Kind kind, Punctuation opening, Punctuation closing) {
+  // Text that is read once is not worth one, and a name that is deprecated must be told of.
+  if (!replays_ || pending_ || !deprecated_.empty()) return nullptr;
+  const Frame& frame = frames_.back();
+  const std::vector<Token>& tokens = frame.file->tokens;
+  std::uint32_t begin = settled_ ? next_index_ : frame.position;
+  if (opening != Punctuation::none && !tokens[begin++].is(opening)) return nullptr;
+  if (begin >= frame.end) return nullptr;
+  const Formula* const formula = frame.file->formulas->find(tokens, begin, kind);
+  if (formula == nullptr || formula->end() >= frame.end) return nullptr;
+  const bool ends_here =
+      closing != Punctuation::none ? tokens[formula->end()].is(closing) : !formula->ends_at_hold() || is_held();
+  return ends_here && nesting_ + formula->depth() < kDeepestExpression ? formula : nullptr;
+}
+
+bool TokenStream::accept_formula(const Formula& formula, Punctuation closing, FormulaValues& values) {
+  const Numbers** value = values.data();
+  for (const std::uint32_t symbol : formula.names()) {
+    const Scopes::Binding* const binding = scopes_.find(symbol);
+    *value = binding != nullptr ? std::get_if<Numbers>(binding->slot.get()) : nullptr;
+    if (*value++ == nullptr) return false;
+  }
+  Frame& frame = frames_.back();
+  const std::uint32_t begin = settled_ ? next_index_ : frame.position;
+  frame.position = formula.end() + (closing != Punctuation::none ? 1 : 0);
+  settled_ = false;
+  last_ = &frame.file->tokens[frame.position - 1];
+  for (const Keyword word : formula.keywords()) count(word);
+  const std::uint64_t looks = taken_ / kTokensBetweenLooks;
+  taken_ += frame.position - begin;
+  if (taken_ / kTokensBetweenLooks != looks) look_around();
+  return true;
+}
+
 const Token& TokenStream::take_raw() {
   Frame& frame = frames_.back();
   const Token& token = frame.file->tokens[frame.position];
@@ -146,13 +173,10 @@ const Token& TokenStream::take_raw() {
   return token;
 }
 
-void TokenStream::expect(Punctuation mark, std::string_view purpose, std::string_view name) {
-  if (!peek().is(mark)) {
-    std::string expected = "expected '" + std::string(spelling(mark)) + "' " + std::string(purpose);
-    if (!name.empty()) expected.append(" '").append(name).append("'");
-    fail(peek().location, expected + ", found " + describe_next());
-  }
-  take();
+void TokenStream::fail_expected(Punctuation mark, std::string_view purpose, std::string_view name) {
+  std::string expected = "expected '" + std::string(spelling(mark)) + "' " + std::string(purpose);
+  if (!name.empty()) expected.append(" '").append(name).append("'");
+  fail(peek().location, expected + ", found " + describe_next());
 }
 
 // --- frames ---------------------------------------------------------------------------------------------------------

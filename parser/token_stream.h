@@ -57,10 +57,17 @@ class TokenStream {
   /// it.
   bool next_is_word(std::string_view word);
   bool accept_word(std::string_view word);
+  /// The formula for the expression that is next, or that stands behind `opening` if it is named; null when there is
+  /// none, or it cannot be used here, or what is behind it is not the `closing` that is named.
+  const Formula* next_formula(Formula::Kind kind, Punctuation opening = Punctuation::none,
+                              Punctuation closing = Punctuation::none);
   /// Tokens taken so far; tells whether an expression was a single name.
   std::uint64_t taken() const { return taken_; }
   /// Takes `mark`; the message says "expected ')' `purpose` 'name', found ...".
-  void expect(Punctuation mark, std::string_view purpose, std::string_view name = {});
+  void expect(Punctuation mark, std::string_view purpose, std::string_view name = {}) {
+    if (!peek().is(mark)) fail_expected(mark, purpose, name);
+    take();
+  }
 
   struct HoldState {
     bool held = false;
@@ -158,7 +165,7 @@ class TokenStream {
   /// At `#`: obey the directive. The frame's position is at the `#`.
   virtual void run_directive() = 0;
   /// At a macro's name, which has been passed.
-  virtual void call_macro(const Token& name, const std::shared_ptr<const Macro>& macro) = 0;
+  virtual void call_macro(const Token& name, std::shared_ptr<const Macro> macro) = 0;
   /// What a part of an array or a dictionary is picked for: to be read, to be written, or to see whether it is there.
   enum class Pick { value, target, test };
   /// The slot of the part that the subscripts and keys behind `name` pick.
@@ -168,7 +175,16 @@ class TokenStream {
   void count(Keyword word) { ++keyword_counts_[static_cast<std::size_t>(word)]; }
   const Token& raw_next() const { return frames_.back().file->tokens[frames_.back().position]; }
   /// Gives up the token that peek() has shown, if any, so that reading goes on before it.
-  void unsettle();
+  void unsettle() {
+    if (settled_) frames_.back().position = next_index_;
+    settled_ = false;
+    pending_ = false;
+  }
+  /// The values of a formula's names.
+  using FormulaValues = std::array<const Numbers*, Formula::kMostNames>;
+  /// Takes the expression of what next_formula() has given, with the marks around it, and tells what its names stand
+  /// for. False when not all of them are numbers: then nothing is taken.
+  bool accept_formula(const Formula& formula, Punctuation closing, FormulaValues& values);
   void enter_frame(Frame frame);
   void leave_frame();
   void drop_blocks() { blocks_.clear(); }
@@ -188,11 +204,13 @@ class TokenStream {
   std::vector<Token> blocks_;  // owners of the open braces
   StatementStart statement_;
   std::map<std::uint32_t, Deprecation> deprecated_;  // by symbol
+  bool replays_ = false;                             // there has been a turn of a loop or a call of a macro
 
  private:
   static constexpr std::uint64_t kTokensBetweenLooks = 1u << 12;
 
   [[noreturn]] void fail_nesting();
+  [[noreturn]] void fail_expected(Punctuation mark, std::string_view purpose, std::string_view name);
   void warn_of_deprecated(const Token& name);
   void note_statement(std::uint32_t position) {
     if (nesting_ == 0 && blocks_.empty()) statement_ = {frames_.size(), position};
