@@ -130,30 +130,7 @@ inline bool is_comparison(const Token& token) {
 }
 
 /// The component that `.x`, `.red` ... picks, counted from 0; `.gray` is none of them.
-inline constexpr std::size_t kNoComponent = 5, kGray = 6;
-inline std::size_t picked_component(Keyword word) {
-  switch (word) {
-    case Keyword::x:
-    case Keyword::u:
-    case Keyword::red:
-      return 0;
-    case Keyword::y:
-    case Keyword::v:
-    case Keyword::green:
-      return 1;
-    case Keyword::z:
-    case Keyword::blue:
-      return 2;
-    case Keyword::t:
-    case Keyword::filter:
-      return 3;
-    case Keyword::transmit:
-      return 4;
-    case Keyword::gray:
-      return kGray;
-    default:
-      return kNoComponent;
-  }
-}
+constexpr std::size_t kNoComponent = 5, kGray = 6;
+std::size_t picked_component(Keyword word);
 
 }  // namespace firstlight::parser

@@ -4,6 +4,7 @@
 #include "parser/reader.h"
 #include "parser/string_expression.h"
 
+#include <algorithm>
 #include <array>
 #include <filesystem>
 #include <fstream>
@@ -126,9 +127,10 @@ void Interpreter::count_step(const Location& at) {
 }
 
 void Interpreter::run_directive() {
-  const std::uint32_t hash = frames_.back().position;
-  take_raw();
-  const Token& word = take_raw();
+  Frame& frame = frames_.back();
+  const std::uint32_t hash = frame.position;
+  const Token& word = frame.file->tokens[hash + 1];
+  frame.position = std::min(hash + 2, frame.end);
   count(word.keyword);
   obey(word, hash);
 }

@@ -6,7 +6,7 @@
 #include "parser/function_values.h"
 #include "parser/interpreter.h"
 
-#include <algorithm>
+#include <utility>
 
 namespace firstlight::parser {
 
@@ -104,7 +104,7 @@ void run_step(Interpreter& in, const Step& step, VectorStack& stack) {
 void run_step(Interpreter&, const Step&, NumberStack&) {}
 
 template <class Stack>
-void run(Interpreter& in, std::span<const Step> steps, std::span<const Numbers* const> values, Stack& stack) {
+void run(Interpreter& in, std::span<const Step> steps, const Numbers* const* values, Stack& stack) {
   const auto operate = [&](auto operation) {
     const auto right = stack.pop();
     stack.top() = combine(stack.top(), right, operation);
@@ -176,18 +176,17 @@ void run(Interpreter& in, std::span<const Step> steps, std::span<const Numbers* 
 
 }  // namespace
 
-void Formula::evaluate(Interpreter& in, std::span<const Numbers* const> values, std::uint8_t terms,
-                       Numbers& result) const {
-  const bool vectors = has_vectors_ || (has_division_ && terms > 1) ||
-                       std::any_of(values.begin(), values.end(), [](const Numbers* value) { return value->size > 1; });
-  if (vectors) {
+void Formula::evaluate(Interpreter& in, const Values& values, std::uint8_t terms, Numbers& result) const {
+  if (has_vectors_ || values.vectors || (has_division_ && terms > 1)) {
     VectorStack stack(terms);
-    run(in, steps_, values, stack);
+    run(in, steps_, values.of_names.data(), stack);
     result = stack.top();
   } else {
     NumberStack stack;
-    run(in, steps_, values, stack);
-    result = single(stack.top(), terms);
+    run(in, steps_, values.of_names.data(), stack);
+    result.values[0] = stack.top();
+    result.size = 1;
+    promote(result, terms);
   }
 }
 

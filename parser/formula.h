@@ -81,8 +81,13 @@ class Formula {
   /// Whether it is a name and nothing else.
   bool is_name() const { return steps_.size() == 1 && steps_[0].operation == Operation::name; }
 
-  /// `values`: of the names, in their order. `terms`: how many components the place wants.
-  void evaluate(Interpreter& in, std::span<const Numbers* const> values, std::uint8_t terms, Numbers& result) const;
+  /// What the names stand for, in their order.
+  struct Values {
+    std::array<const Numbers*, kMostNames> of_names;
+    bool vectors = false;  ///< some have more than one component
+  };
+  /// `terms`: how many components the place wants. Pre: `result` is as it was made.
+  void evaluate(Interpreter& in, const Values& values, std::uint8_t terms, Numbers& result) const;
 
  private:
   friend class FormulaCompiler;

@@ -60,9 +60,9 @@ class Interpreter final : public TokenStream {
   /// Takes the expression of what next_formula() has given, and the marks around it, and evaluates it. False when the
   /// formula does not hold now: then nothing is taken. `terms`: as for parse_sum().
   bool evaluate(const Formula& formula, std::uint8_t terms, Numbers& result, Punctuation closing = Punctuation::none) {
-    FormulaValues values;
+    Formula::Values values;
     if (!accept_formula(formula, closing, values)) return false;
-    formula.evaluate(*this, {values.data(), formula.names().size()}, terms, result);
+    formula.evaluate(*this, values, terms, result);
     return true;
   }
   RandomStreams& random() { return random_; }

@@ -1,15 +1,9 @@
 #include "parser/scope.h"
 
-#include <algorithm>
 #include <unordered_set>
 #include <utility>
 
 namespace firstlight::parser {
-
-std::vector<Scopes::Binding>& Scopes::bindings(std::uint32_t symbol) {
-  if (symbol >= bindings_.size()) bindings_.resize(std::max<std::size_t>(symbol + 1, bindings_.size() * 2));
-  return bindings_[symbol];
-}
 
 void Scopes::leave() {
   const std::uint32_t scope = current();

@@ -3,6 +3,8 @@
 #include "parser/lexer.h"
 #include "parser/value.h"
 
+#include <algorithm>
+#include <cstddef>
 #include <cstdint>
 #include <memory>
 #include <string>
@@ -51,7 +53,10 @@ class Scopes {
   void remove(std::uint32_t symbol);
 
  private:
-  std::vector<Binding>& bindings(std::uint32_t symbol);
+  std::vector<Binding>& bindings(std::uint32_t symbol) {
+    if (symbol >= bindings_.size()) bindings_.resize(std::max<std::size_t>(symbol + 1, bindings_.size() * 2));
+    return bindings_[symbol];
+  }
 
   std::vector<std::vector<Binding>> bindings_;  // by symbol; the innermost last
   std::vector<std::uint32_t> bound_;            // symbols, in the order in which bind() has bound them

@@ -147,12 +147,13 @@ const Formula* TokenStream::next_formula(Formula::Kind kind, Punctuation opening
   return ends_here && nesting_ + formula->depth() < kDeepestExpression ? formula : nullptr;
 }
 
-bool TokenStream::accept_formula(const Formula& formula, Punctuation closing, FormulaValues& values) {
-  const Numbers** value = values.data();
+bool TokenStream::accept_formula(const Formula& formula, Punctuation closing, Formula::Values& values) {
+  const Numbers** value = values.of_names.data();
   for (const std::uint32_t symbol : formula.names()) {
     const Scopes::Binding* const binding = scopes_.find(symbol);
     *value = binding != nullptr ? std::get_if<Numbers>(binding->slot.get()) : nullptr;
-    if (*value++ == nullptr) return false;
+    if (*value == nullptr) return false;
+    values.vectors |= (*value++)->size > 1;
   }
   Frame& frame = frames_.back();
   const std::uint32_t begin = settled_ ? next_index_ : frame.position;

@@ -180,11 +180,9 @@ class TokenStream {
     settled_ = false;
     pending_ = false;
   }
-  /// The values of a formula's names.
-  using FormulaValues = std::array<const Numbers*, Formula::kMostNames>;
   /// Takes the expression of what next_formula() has given, with the marks around it, and tells what its names stand
   /// for. False when not all of them are numbers: then nothing is taken.
-  bool accept_formula(const Formula& formula, Punctuation closing, FormulaValues& values);
+  bool accept_formula(const Formula& formula, Punctuation closing, Formula::Values& values);
   void enter_frame(Frame frame);
   void leave_frame();
   void drop_blocks() { blocks_.clear(); }

@@ -33,7 +33,6 @@ TEST(Formula, HasNoCallsElementsOrStrings) {
   EXPECT_FALSE(has_formula("2*A[1]"));
   EXPECT_FALSE(has_formula("strlen(\"abc\")"));
   EXPECT_FALSE(has_formula("(A ? 1 : 2)"));
-  EXPECT_FALSE(has_formula("trace(S, A, B)"));
 }
 TEST(Formula, HasNoMistakes) {
   for (const char* text :
