@@ -2,6 +2,8 @@
 
 #include "parser/parse_common.h"
 
+#include <fmt/format.h>
+
 #include <cmath>
 
 namespace firstlight::parser {
@@ -37,7 +39,7 @@ Transform parse_matrix(Reader& reader) {
   for (int column = 0; column < 3; ++column) {
     if (std::abs(matrix[0][column]) < kTinyLength && std::abs(matrix[1][column]) < kTinyLength &&
         std::abs(matrix[2][column]) < kTinyLength) {
-      reader.warn(at, std::string("matrix leaves nothing of ") + "xyz"[column] + "; its diagonal is taken as 1");
+      reader.warn(at, fmt::format("matrix leaves nothing of {}; its diagonal is taken as 1", "xyz"[column]));
       matrix[column][column] = 1.0;
     }
   }

@@ -50,7 +50,8 @@ class Accel {
 
   /// Which feelers certainly meet nothing that casts a shadow, as far as that is quickly told: bit i of clear[l] is set
   /// when that of points i to lights[l] does, which ignores what is closer than `gap` to either end. `first` is the
-  /// number of the first of the lights. Pre: clear has room for lights.size; count is at most kRaysAtOnce.
+  /// number of the first of the lights. Pre: the lights are points; clear has room
+  /// for lights.size; count is at most kRaysAtOnce.
   void clear(const Columns3<double>& points, std::size_t count, std::size_t first, std::span<const Light> lights,
              double gap, std::span<std::uint64_t> clear) const;
 

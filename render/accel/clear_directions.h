@@ -23,6 +23,7 @@ namespace firstlight::render {
 /// Threads  Immutable after construction.
 class ClearDirections {
  public:
+  /// Pre: the lights are points.
   ClearDirections(const Leaves& leaves, std::span<const Light> lights);
 
   /// False where no direction can be told to be clear.

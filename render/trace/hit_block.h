@@ -51,6 +51,7 @@ struct HitBlock {
     layer_count = 0;
   }
 
+  bool feelers_may_gain = false;  ///< what they cross may make more light of theirs: RadianceBound::most_of_feelers()
   std::array<std::uint64_t, kLightsAtOnce> clear{};  ///< bits of the hits that each light surely reaches
 
   // What light_hits() finds:

@@ -199,7 +199,10 @@ struct AtStake {
     sum = sum + Triple<hn::VFromD<I>>{size(steps.x), size(steps.y), size(steps.z)};
     feelers = hn::Add(feelers, hn::IfThenElseZero(there, hn::Set(di, 1)));
   }
-  HWY_INLINE hn::VFromD<I> most() const { return hn::Add(feelers, hn::Max(sum.x, hn::Max(sum.y, sum.z))); }
+  HWY_INLINE hn::VFromD<I> most(bool may_gain) const {
+    const auto held = hn::Max(sum.x, hn::Max(sum.y, sum.z));
+    return hn::Add(feelers, may_gain ? hn::Add(held, hn::ShiftRight<2>(held)) : held);
+  }
 };
 
 void begin_light_of(HitBlock& block) {
@@ -261,7 +264,7 @@ void light_hits_of(HitBlock& block, std::span<const Light> lights) {
       }
     }
     store(sum, block.sum, i);
-    store(at_stake.most(), block.at_stake, i);
+    store(at_stake.most(block.feelers_may_gain), block.at_stake, i);
   }
 }
 

@@ -50,14 +50,15 @@ RadianceBound::RadianceBound(const Scene& scene) {
   }
 }
 
-std::int64_t RadianceBound::of_feelers(const RayTask& task) {
+std::int64_t RadianceBound::of_feelers(const RayTask& task) const {
   FixedRgb sum;
-  // The added step is for what the light that passes may be rounded by.
+  std::int64_t count = 0;  // a step each, for what the light that passes may be rounded by
   task.for_each_feeler([&](std::uint32_t, const PackedRgb& packed) {
     const FixedRgb light = FixedRgb::from(packed);
-    sum += {1 + std::abs(light.r), 1 + std::abs(light.g), 1 + std::abs(light.b)};
+    sum += {std::abs(light.r), std::abs(light.g), std::abs(light.b)};
+    ++count;
   });
-  return sum.max_magnitude();
+  return count + most_of_feelers(sum.max_magnitude());
 }
 
 }  // namespace firstlight::render

@@ -38,8 +38,12 @@ class RadianceBound {
     return 1 + FixedRgb::to_fixed(max_magnitude(task.radiance.weight()) * most);
   }
 
+  /// The most that feelers may take back which hold `held` in the channel that has most. Where nothing is proved, what
+  /// they cross may make more light of theirs: a quarter more is allowed for.
+  std::int64_t most_of_feelers(std::int64_t held) const { return known_ ? held : held + held / 4; }
+
  private:
-  static std::int64_t of_feelers(const RayTask& task);
+  std::int64_t of_feelers(const RayTask& task) const;
 
   std::vector<float> most_;  // by level
   bool known_ = true;

@@ -43,6 +43,7 @@ Stepper::Stepper(const TraceContext& context, std::shared_ptr<const SurfaceTable
   for (const Light& light : context.scene.lights) {
     light_places_.push_back({light.position.x, light.position.y, light.position.z, 0.0});
   }
+  block_->feelers_may_gain = !bound_.known();
   rays_->min_depth.at.fill(kNearestHit);
   rays_->max_depth.at.fill(kFarthestHit);
 }
@@ -150,7 +151,7 @@ void Stepper::take_back(const RayTask& task, std::size_t& feeler, std::uint64_t 
       taken += lost_light(task, feeler);
     }
   }
-  light = {task.sample, taken, -(count + at_stake.max_magnitude())};
+  light = {task.sample, taken, -(count + bound_.most_of_feelers(at_stake.max_magnitude()))};
 }
 
 FixedRgb Stepper::lost_light(const RayTask& task, std::size_t feeler) const {

@@ -17,6 +17,9 @@ constexpr double kBlendError = 1e-6;
 
 Channels channels_of(const Rgb& color) { return {color.x, color.y, color.z}; }
 double largest(const Rgb& color) { return static_cast<double>(max_magnitude(color)); }
+/// Of terms that have no largest value: how many times what they usually are at most is allowed for. An estimate.
+constexpr double kUsualExcess = 4.0;
+
 double largest(const Channels& c) { return std::max({std::abs(c[0]), std::abs(c[1]), std::abs(c[2])}); }
 
 struct Range {
@@ -124,6 +127,11 @@ class Maker {
  private:
   /// To be called for what a bound depends on.
   void need(bool condition) { limits_.proven = limits_.proven && condition; }
+  /// What a largest value is multiplied by that holds under a condition.
+  double usual(bool condition) {
+    need(condition);
+    return condition ? 1.0 : kUsualExcess;
+  }
   void add_lights();
   void look_at_matter();
   double lit(const Finish& finish, const PigmentLimits& pigment, std::size_t channel);
@@ -142,8 +150,7 @@ void Maker::add_lights() {
   for (const Light& light : scene_.lights) {
     double factor = 1.0;
     if (light.fade_power > 0.0 && std::abs(light.fade_distance) > kNegligible) {
-      factor = 2.0;
-      need(light.fade_distance > 0.0);
+      factor = 2.0 * usual(light.fade_distance > 0.0);
     }
     const Channels color = channels_of(light.color);
     for (std::size_t i = 0; i < 3; ++i) {
@@ -179,8 +186,7 @@ void Maker::look_at_matter() {
 double Maker::lit(const Finish& finish, const PigmentLimits& pigment, std::size_t channel) {
   // A cosine to a power is at most 1, unless the power is negative.
   const auto largest_of = [&](double amount, double exponent) {
-    need(amount <= 0.0 || exponent >= 0.0);
-    return std::max(0.0, amount);
+    return std::max(0.0, amount) * usual(amount <= 0.0 || exponent >= 0.0);
   };
   const double diffuse = largest_of(std::max(finish.diffuse, finish.diffuse_back), finish.brilliance);
   const double highlights =
