@@ -27,16 +27,14 @@ FloatBox box_at(const float (*bounds)[kTreeWidth], std::size_t slot) {
   return box;
 }
 
-}  // namespace
-
 /// The axis that a face lies across, its sign, and the axes along its edges.
-struct ClearDirections::Face {
+struct Face {
   int axis, u, v;
   bool negative;
 };
 
 /// Cells of one face, from the first to the last; none where the first is beyond the last.
-struct ClearDirections::Rectangle {
+struct Rectangle {
   int u0 = 0;
   int u1 = -1;
   int v0 = 0;
@@ -46,11 +44,6 @@ struct ClearDirections::Rectangle {
     return u1 < u0 || v1 < v0 ? 0 : static_cast<std::size_t>(u1 - u0 + 1) * static_cast<std::size_t>(v1 - v0 + 1);
   }
 };
-
-namespace {
-
-using Face = ClearDirections::Face;
-using Rectangle = ClearDirections::Rectangle;
 
 constexpr std::array<Face, 6> kCube{
     {{0, 1, 2, false}, {0, 1, 2, true}, {1, 2, 0, false}, {1, 2, 0, true}, {2, 0, 1, false}, {2, 0, 1, true}}};
@@ -127,10 +120,9 @@ void ClearDirections::mark_children(const Leaves& leaves, std::size_t node, std:
     const FloatBox box = box_at(opened.bounds, slot);
     if (box.low[0] > box.high[0]) continue;
     const ChildRef ref = opened.child[slot];
-    const bool is_small = count_of(seen_through(box, light, side_)) <= kFewCells;
     switch (ref.kind()) {
       case ChildKind::node:
-        if (is_small) {
+        if (count_of(seen_through(box, light, side_)) <= kFewCells) {
           mark(box, cube, light);
         } else {
           mark_children(leaves, ref.index(), cube, light);

@@ -34,9 +34,6 @@ class ClearDirections {
   /// Bit c % 32 of word c / 32: something may be seen through cell c.
   std::span<const std::uint32_t> words() const { return words_; }
 
-  struct Face;
-  struct Rectangle;
-
  private:
   /// Marks what is seen of the tree below a node.
   void mark_children(const Leaves& leaves, std::size_t node, std::size_t cube, const Vec3& light);
