@@ -30,7 +30,7 @@ std::string to_json(const Stats& stats) {
                   {"reflection", rays.of(render::RayKind::reflection)},
                   {"transmission", rays.of(render::RayKind::transmission)},
                   {"shadow", rays.of(render::RayKind::shadow)}};
-  json["untraced"] = {{"clear_feelers", rays.clear}};
+  json["untraced"] = {{"clear_feelers", rays.clear}, {"blocked_feelers", rays.blocked}};
   json["end"] = {{"reason", end_name(stats.end)},
                  {"remaining", stats.rays.remaining},
                  {"remaining_is_bound", stats.remaining_is_bound}};

@@ -29,7 +29,7 @@ constexpr float kPrimaryGain = 0.01f;
 constexpr double kLongQueue = 4.5;
 
 /// Tasks of which one is learnt from: neighbours tell much the same, and learning takes time.
-constexpr std::size_t kLearnOneOf = 4;
+constexpr std::size_t kLearnOneOf = 8;
 
 constexpr LogScale kScale(-30, 10, 4);
 

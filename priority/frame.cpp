@@ -90,12 +90,13 @@ void Frame::add(std::span<const render::Contribution> light) {
 }
 
 void Frame::traced(const render::RayCounts& counts, render::RayCounts& reported) {
-  const std::uint64_t more_clear = counts.clear - reported.clear;
-  std::uint64_t total = 0 - (clear_.fetch_add(more_clear, std::memory_order_relaxed) + more_clear);
+  const render::RayCounts more = counts - reported;
+  std::uint64_t total = 0;
   for (std::size_t kind = 0; kind < traced_.size(); ++kind) {
-    const std::uint64_t more = counts.by_kind[kind] - reported.by_kind[kind];
-    total += traced_[kind].fetch_add(more, std::memory_order_relaxed) + more;
+    total += traced_[kind].fetch_add(more.by_kind[kind], std::memory_order_relaxed) + more.by_kind[kind];
   }
+  total -= clear_.fetch_add(more.clear, std::memory_order_relaxed) + more.clear;
+  total -= blocked_.fetch_add(more.blocked, std::memory_order_relaxed) + more.blocked;
   reported = counts;
   if (options_.checkpoint_rays == 0 || total < next_checkpoint_.load(std::memory_order_relaxed)) return;
   if (checkpoint_due_.exchange(true)) return;
@@ -218,6 +219,7 @@ Progress Frame::progress(const RayQueue& queue, const BlockPool& pool) const {
     progress.traced.by_kind[kind] = traced_[kind].load(std::memory_order_relaxed);
   }
   progress.traced.clear = clear_.load(std::memory_order_relaxed);
+  progress.traced.blocked = blocked_.load(std::memory_order_relaxed);
   progress.rays_waiting = queue.waiting();
   progress.queue_bytes = pool.bytes();
   progress.key = key_.load(std::memory_order_relaxed);

@@ -97,6 +97,7 @@ class Frame {
   std::atomic<std::uint32_t> coarse_tiles_lit_ = 0;
   std::array<std::atomic<std::uint64_t>, 4> traced_{};  // by kind
   std::atomic<std::uint64_t> clear_ = 0;                // of the feelers
+  std::atomic<std::uint64_t> blocked_ = 0;              // of the feelers, without being traced
   int left_out_ = 0;                                    // low bits that remaining_ is without
   std::atomic<std::int64_t> remaining_ = 0;             // over all pixels, in steps of FixedRgb
   std::atomic<double> refinement_remaining_ = 0.0;      // over all pixels, with anti-aliasing; as of the last look

@@ -1,7 +1,7 @@
 #include "render/accel/accel.h"
 
-#include "render/accel/clear_directions.h"
 #include "render/accel/leaves.h"
+#include "render/accel/light_buffer.h"
 
 #include <algorithm>
 
@@ -29,9 +29,9 @@ void for_each_block(std::span<const RayQuery> queries, const Visit& visit) {
 }  // namespace
 
 struct Accel::Impl {
-  explicit Impl(const Scene& scene) : leaves(scene), clear_directions(leaves, scene.lights) {}
+  explicit Impl(const Scene& scene) : leaves(scene), light_buffer(leaves, scene.lights) {}
   Leaves leaves;
-  ClearDirections clear_directions;
+  LightBuffer light_buffer;
 };
 
 Accel::Accel(const Scene& scene) : impl_(std::make_unique<Impl>(scene)) {}
@@ -43,12 +43,12 @@ void Accel::closest(const RayBlock& rays, std::span<Hit> hits) const { find_clos
 
 std::uint64_t Accel::occluded(const RayBlock& rays) const { return find_occluded(impl_->leaves, rays); }
 
-void Accel::clear(const Columns3<double>& points, std::size_t count, std::size_t first, std::span<const Light> lights,
-                  double gap, std::span<std::uint64_t> clear) const {
-  if (impl_->clear_directions.known()) {
-    find_clear(impl_->leaves, impl_->clear_directions, points, count, first, lights, gap, clear.data());
+void Accel::foresee(const FeelerStarts& starts, std::size_t first, std::span<const Light> lights,
+                    std::span<Foreseen> foreseen) const {
+  if (impl_->light_buffer.known()) {
+    find_foreseen(impl_->leaves, impl_->light_buffer, starts, first, lights, foreseen);
   } else {
-    std::ranges::fill(clear, 0);
+    std::ranges::fill(foreseen, Foreseen());
   }
 }
 

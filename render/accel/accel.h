@@ -28,6 +28,25 @@ struct Hit {
   std::uint32_t solid = kNoIndex;
 };
 
+/// POV-Ray 3.7: a feeler ignores what is closer than this to either of its ends, in scene units.
+constexpr double kShadowGap = 1e-3;
+
+/// Where feelers begin: on surfaces.
+struct FeelerStarts {
+  const Columns3<double>& points;
+  const Columns3<double>& normals;
+  std::size_t count = 0;         ///< at most kRaysAtOnce
+  bool from_both_sides = false;  ///< false: nobody asks about feelers that lead against the normal
+};
+
+/// Of the feelers to one light, a bit each. What is in neither has to be traced.
+struct Foreseen {
+  std::uint64_t clear = 0;    ///< meets nothing that casts a shadow
+  std::uint64_t blocked = 0;  ///< meets something opaque
+
+  bool operator==(const Foreseen&) const = default;
+};
+
 /// Finds what rays meet in a frozen scene.
 ///
 /// Order    The answer to a query depends on the scene and the query alone: not on the other queries of a block, the
@@ -48,12 +67,10 @@ class Accel {
   /// Bit i is set when any opaque part lies on ray i.
   std::uint64_t occluded(const RayBlock& rays) const;
 
-  /// Which feelers certainly meet nothing that casts a shadow, as far as that is quickly told: bit i of clear[l] is set
-  /// when that of points i to lights[l] does, which ignores what is closer than `gap` to either end. `first` is the
-  /// number of the first of the lights. Pre: the lights are points; clear has room
-  /// for lights.size; count is at most kRaysAtOnce.
-  void clear(const Columns3<double>& points, std::size_t count, std::size_t first, std::span<const Light> lights,
-             double gap, std::span<std::uint64_t> clear) const;
+  /// What feelers will meet, as far as that is quickly told: bit i of foreseen[l] is of that from start i to lights[l].
+  /// `first` is the number of the first of the lights. Pre: the lights are points; foreseen has room for lights.size.
+  void foresee(const FeelerStarts& starts, std::size_t first, std::span<const Light> lights,
+               std::span<Foreseen> foreseen) const;
 
   /// hits[i] answers queries[i]. Pre: equal sizes.
   void closest(std::span<const RayQuery> queries, std::span<Hit> hits) const;

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "render/accel/accel.h"
 #include "render/accel/ray_block.h"
 #include "render/light/light.h"
 #include "render/trace/ray_task.h"
@@ -21,12 +22,15 @@ struct LayerColumns {
   Columns3<double> color;  ///< of the pigment
   Columns3<double> share;  ///< the ray's weight, and what the layers above let through
   Column<double> diffuse;  ///< amounts times the layer's opacity
+  Column<double> specular;
+  Column<double> specular_exponent;
+
+  /// Whether any of the hits has what follows; the columns hold nothing else.
+  bool has_rare = false;
   Column<double> diffuse_back;
   Column<double> brilliance;
   Column<double> phong;
   Column<double> phong_size;
-  Column<double> specular;
-  Column<double> specular_exponent;
   Column<double> metallic;
 };
 
@@ -46,28 +50,32 @@ struct HitBlock {
   void begin(std::size_t most_hits) {
     size = 0;
     clear_feelers = 0;
+    blocked_feelers = 0;
     lit_from_behind = false;
     capacity = most_hits;
     layer_count = 0;
   }
 
   bool feelers_may_gain = false;  ///< what they cross may make more light of theirs: RadianceBound::most_of_feelers()
-  std::array<std::uint64_t, kLightsAtOnce> clear{};  ///< bits of the hits that each light surely reaches
+  std::array<Foreseen, kLightsAtOnce> foreseen{};  ///< of the feelers to each light
 
   // What light_hits() finds:
   Column<std::int64_t> mirrored;  ///< packed direction of the mirrored ray: u low, v high
   Columns3<std::int64_t> sum;     ///< light for the film, FixedRgb
   Column<std::int64_t> at_stake;  ///< RadianceBound::at_stake() of the record
-  /// Of each light: PackedRgb of what its feeler may take back; 0 where there is none to trace.
-  std::array<Column<std::uint64_t>, kLightsAtOnce> light;
-  std::size_t clear_feelers = 0;  ///< those that need not be traced, for their way is clear
+  // Of each light:
+  std::array<std::uint64_t, kLightsAtOnce> open;           ///< bits of the hits from which a feeler is to be traced
+  std::array<Column<std::uint64_t>, kLightsAtOnce> light;  ///< PackedRgb of what that may take back
+  // Those that need not be traced:
+  std::size_t clear_feelers = 0;
+  std::size_t blocked_feelers = 0;  ///< whose light has not been added
 };
 
 /// Starts the sums with the hits' own light, and mirrors the rays.
 void begin_light(HitBlock& block);
-/// Adds the light of `lights` as if nothing were in the way. What is added is what feelers can keep, so that a blocked
-/// light leaves nothing behind. Pre: at most kLightsAtOnce lights.
-/// Source   POV-Ray 3.7's diffuse, phong and specular terms; see light_block.cpp.
+/// Adds the light of `lights` as if nothing were in the way of it but what is foreseen. What is added is what feelers
+/// can keep, so that a blocked light leaves nothing behind. Pre: at most kLightsAtOnce lights. Source   POV-Ray 3.7's
+/// diffuse, phong and specular terms; see light_block.cpp.
 void light_hits(HitBlock& block, std::span<const Light> lights);
 
 /// Where a light is; the fourth number is unused.
@@ -92,8 +100,6 @@ struct FeelerBlock {
   Columns3<std::int64_t> steps;  ///< light at stake, FixedRgb
 };
 
-/// POV-Ray 3.7: a feeler ignores what is closer than this to either of its ends, in scene units.
-constexpr double kShadowGap = 1e-3;
 /// Aims the feelers at their lights.
 void aim_feelers(FeelerBlock& block, std::span<const LightPlace> lights);
 /// Unpacks what they hold.

@@ -9,6 +9,7 @@
 #include <hwy/foreach_target.h>
 #include <hwy/highway.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "render/trace/packing-inl.h"
@@ -95,6 +96,7 @@ HWY_INLINE V fading_at(const Light& light, V distance) {
 HWY_INLINE Vec tint_of(const LayerColumns& layer, std::size_t i, V cosine) {
   const D d;
   const V one = hn::Set(d, 1.0);
+  if (!layer.has_rare) return {one, one, one};
   const V metallic = load(layer.metallic, i);
   if (!any(hn::Gt(metallic, hn::Zero(d)))) return {one, one, one};
   const V within = hn::Min(hn::Max(cosine, hn::Neg(one)), one);
@@ -145,15 +147,19 @@ HWY_INLINE Vec term_of(const HitBlock& block, const LayerColumns& layer, std::si
                        const Vec& mirrored) {
   const D d;
   const V zero = hn::Zero(d);
-  const V size = hn::Abs(lit.cosine);
-  const V brilliance = load(layer.brilliance, i);
-  const Mask plain = hn::Eq(brilliance, hn::Set(d, 1.0));
-  const V falloff = !any(hn::AndNot(plain, lit.used)) ? size : hn::IfThenElse(plain, size, power(d, size, brilliance));
-  const V amount = hn::IfThenElse(lit.behind, load(layer.diffuse_back, i), load(layer.diffuse, i));
+  V falloff = hn::Abs(lit.cosine);
+  V back = zero;
+  if (layer.has_rare) {
+    const V brilliance = load(layer.brilliance, i);
+    const Mask plain = hn::Eq(brilliance, hn::Set(d, 1.0));
+    if (any(hn::AndNot(plain, lit.used))) falloff = hn::IfThenElse(plain, falloff, power(d, falloff, brilliance));
+    back = load(layer.diffuse_back, i);
+  }
+  const V amount = hn::IfThenElse(lit.behind, back, load(layer.diffuse, i));
   Vec term = only_where(hn::Ne(amount, zero), load(layer.color, i) * hn::Mul(falloff, amount));
   if (lit.highlights) {
     // Which highlights there are is asked of the surfaces alone: whether they face the light cannot be foretold.
-    const V shine = load(layer.phong, i);
+    const V shine = layer.has_rare ? load(layer.phong, i) : zero;
     const V gloss = load(layer.specular, i);
     const bool any_shine = any(hn::And(lit.used, hn::Gt(shine, zero)));
     const bool any_gloss = any(hn::And(lit.used, hn::Gt(gloss, zero)));
@@ -185,16 +191,23 @@ HWY_INLINE auto lanes_of(std::uint64_t bits) {
   return hn::Ne(hn::And(hn::Set(d, bits), hn::Shl(hn::Set(d, 1), hn::Iota(d, 0))), hn::Zero(d));
 }
 
+template <class M>
+HWY_INLINE unsigned bits_of(M mask) {
+  std::uint8_t byte[8] = {};
+  hn::StoreMaskBits(U(), mask, byte);
+  return byte[0];
+}
+
 /// RadianceBound::at_stake() of records of feelers.
 struct AtStake {
   Triple<hn::VFromD<I>> sum;
   hn::VFromD<I> feelers;
 
   HWY_INLINE AtStake() : sum{hn::Zero(I()), hn::Zero(I()), hn::Zero(I())}, feelers(hn::Zero(I())) {}
-  /// `light` is 0 where there is no feeler.
-  HWY_INLINE void add(hn::VFromD<U> light, const Triple<hn::VFromD<I>>& steps) {
+  template <class Feelers>
+  HWY_INLINE void add(Feelers feelers_there, const Triple<hn::VFromD<I>>& steps) {
     const I di;
-    const auto there = hn::RebindMask(di, hn::Ne(light, hn::Zero(U())));
+    const auto there = hn::RebindMask(di, feelers_there);
     const auto size = [&](auto v) HWY_ATTR { return hn::IfThenElseZero(there, hn::Abs(v)); };
     sum = sum + Triple<hn::VFromD<I>>{size(steps.x), size(steps.y), size(steps.z)};
     feelers = hn::Add(feelers, hn::IfThenElseZero(there, hn::Set(di, 1)));
@@ -217,6 +230,7 @@ void begin_light_of(HitBlock& block) {
 void light_hits_of(HitBlock& block, std::span<const Light> lights) {
   const D d;
   constexpr double kNegligible = 1e-10;
+  std::fill_n(block.open.begin(), lights.size(), 0u);
   for (std::size_t i = 0; i < block.size; i += hn::Lanes(d)) {
     const Vec point = load(block.point, i);
     const Vec normal = load(block.normal, i);
@@ -237,7 +251,6 @@ void light_hits_of(HitBlock& block, std::span<const Light> lights) {
       lit.behind = hn::Lt(lit.cosine, load(block.lit_from, i));
       lit.highlights = !light.shadowless;
       if (!block.lit_from_behind && hn::AllFalse(d, hn::AndNot(lit.behind, lit.used))) {
-        store(hn::Zero(U()), block.light[l], i);
         continue;
       }
       Vec term = term_of(block, block.layers[0], i, lit, mirrored);
@@ -249,18 +262,23 @@ void light_hits_of(HitBlock& block, std::span<const Light> lights) {
       color = only_where(shines, color * term);
       if (light.shadowless) {
         sum = sum + Triple<hn::VFromD<I>>{fixed_of(d, color.x), fixed_of(d, color.y), fixed_of(d, color.z)};
-        store(hn::Zero(U()), block.light[l], i);
       } else {
         const Mantissas<D> mantissas = mantissas_of(d, color);
-        const auto steps = fixed(d, mantissas);
-        sum = sum + steps;
         const auto all_bits = packed(d, mantissas);
-        const auto is_clear = lanes_of(block.clear[l] >> i);
+        const auto is_clear = lanes_of(block.foreseen[l].clear >> i);
+        const auto is_blocked = lanes_of(block.foreseen[l].blocked >> i);
         const auto is_feeler = hn::And(hn::Ne(all_bits, hn::Zero(U())), hn::RebindMask(U(), lit.used));
         block.clear_feelers += hn::CountTrue(U(), hn::And(is_feeler, is_clear));
-        const auto bits = hn::IfThenElseZero(hn::Not(is_clear), all_bits);
-        at_stake.add(bits, steps);
-        store(bits, block.light[l], i);
+        block.blocked_feelers += hn::CountTrue(U(), hn::And(is_feeler, is_blocked));
+        auto steps = fixed(d, mantissas);
+        const auto stays = hn::RebindMask(I(), hn::Not(is_blocked));
+        steps = {hn::IfThenElseZero(stays, steps.x), hn::IfThenElseZero(stays, steps.y),
+                 hn::IfThenElseZero(stays, steps.z)};
+        sum = sum + steps;
+        const auto is_open = hn::AndNot(hn::Or(is_clear, is_blocked), is_feeler);
+        at_stake.add(is_open, steps);
+        block.open[l] |= std::uint64_t{bits_of(is_open)} << i;
+        store(all_bits, block.light[l], i);
       }
     }
     store(sum, block.sum, i);

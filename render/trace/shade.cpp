@@ -16,9 +16,24 @@ constexpr double kNegligible = 1e-10;
 /// Of a layer for hits that have none. The share too, for what was there before need not be a number.
 void clear_amounts(LayerColumns& layer, std::size_t count) {
   for (Column<double>& column : layer.share.of) std::fill_n(column.at.begin(), count, 0.0);
-  for (Column<double>* column : {&layer.diffuse, &layer.diffuse_back, &layer.phong, &layer.specular}) {
-    std::fill_n(column->at.begin(), count, 0.0);
+  for (Column<double>* column : {&layer.diffuse, &layer.specular}) std::fill_n(column->at.begin(), count, 0.0);
+  layer.has_rare = false;
+}
+
+/// What few surfaces have. The first that has it sets what the others have instead.
+void set_rare(LayerColumns& columns, std::size_t hit, std::size_t count, const SurfaceLayer& layer, double opacity) {
+  if (!columns.has_rare) {
+    columns.has_rare = true;
+    for (Column<double>* column : {&columns.diffuse_back, &columns.phong, &columns.phong_size, &columns.metallic}) {
+      std::fill_n(column->at.begin(), count, 0.0);
+    }
+    std::fill_n(columns.brilliance.at.begin(), count, 1.0);
   }
+  columns.diffuse_back[hit] = layer.diffuse_back * opacity;
+  columns.brilliance[hit] = layer.brilliance;
+  columns.phong[hit] = layer.phong;
+  columns.phong_size[hit] = layer.phong_size;
+  columns.metallic[hit] = layer.metallic;
 }
 
 std::uint32_t mixed(std::uint32_t path, std::uint32_t branch) {
@@ -46,15 +61,15 @@ void Stepper::meet(const RayTask& task, const Ray& ray, const Hit& hit, Contribu
   block.direction.set(i, ray.direction);
   block.normal.set(i, normal);
   block.lit_from[i] = part.double_illuminate ? -2.0 : kNegligible;
-  Surface& surface = surfaces_.emplace_back(Surface{.task = &task,
-                                                    .part = &part,
-                                                    .sum = &sum,
-                                                    .depth = hit.depth,
-                                                    .level = task.level + (continued ? 0 : 1),
-                                                    .filter = Rgb(1.0f),
-                                                    .first_mirror = mirrors_.size(),
-                                                    .mirror_count = 0,
-                                                    .open_record = kNoRecord});
+  block.lit_from_behind |= part.double_illuminate;
+  Surface& surface = surfaces_[i];
+  surface.task = &task;
+  surface.part = &part;
+  surface.sum = &sum;
+  surface.depth = hit.depth;
+  surface.level = task.level + (continued ? 0 : 1);
+  surface.first_mirror = mirrors_.size();
+  surface.open_record = kNoRecord;
   meet_layers(surface, i, texture);
 }
 
@@ -63,6 +78,7 @@ void Stepper::meet_layers(Surface& surface, std::size_t hit, std::uint32_t textu
   const double bailout = context_.scene.settings.adc_bailout;
   const Rgb weight = surface.task->radiance.weight();
   double share = 1.0;
+  Rgb filter(1.0f);
   Rgb own_light(0.0f);
   std::uint32_t k = 0;
   for (const SurfaceLayer& layer : table_->layers(texture)) {
@@ -82,33 +98,33 @@ void Stepper::meet_layers(Surface& surface, std::size_t hit, std::uint32_t textu
     }
     LayerColumns& columns = block.layers[k];
     columns.color.set(hit, color.rgb);
-    columns.share.set(hit, weight * surface.filter);
+    columns.share.set(hit, k == 0 ? weight : weight * filter);
     columns.diffuse[hit] = layer.diffuse * color.opacity;
-    columns.diffuse_back[hit] = layer.diffuse_back * color.opacity;
-    block.lit_from_behind |= layer.diffuse_back != 0.0;
-    columns.brilliance[hit] = layer.brilliance;
-    columns.phong[hit] = layer.phong;
-    columns.phong_size[hit] = layer.phong_size;
     columns.specular[hit] = layer.specular;
     columns.specular_exponent[hit] = layer.specular_exponent;
-    columns.metallic[hit] = layer.metallic;
-    own_light += surface.filter * color.own_light;
+    if (layer.has_rare) {
+      set_rare(columns, hit, block.capacity, layer, color.opacity);
+      block.lit_from_behind |= layer.diffuse_back != 0.0;
+    }
+    own_light += k == 0 ? color.own_light : filter * color.own_light;
 
     Rgb passed = color.passed;
     if (layer.reflects) {
       double adc_weight = surface.task->radiance.adc_weight * share;
       const Rgb reflection = reflectivity(surface, hit, layer, color.rgb, adc_weight);
       mirrors_.push_back({&layer, reflection, adc_weight, k});
-      ++surface.mirror_count;
       if (layer.source->finish->conserve_energy) {
         const Rgb kept = Rgb(1.0f) - reflection;
         passed *= Rgb(std::min(1.0f, kept.x), std::min(1.0f, kept.y), std::min(1.0f, kept.z));
       }
     }
-    surface.filter *= passed;
-    share = std::min(1.0, static_cast<double>(std::abs(grey(surface.filter))));
+    filter *= passed;
+    share = is_black(filter) ? 0.0 : std::min(1.0, static_cast<double>(std::abs(grey(filter))));
     ++k;
   }
+  surface.filter = filter;
+  surface.share = share;
+  surface.mirror_count = mirrors_.size() - surface.first_mirror;
   block.own_light.set(hit, weight * own_light);
 }
 
@@ -117,36 +133,35 @@ void Stepper::shade() {
   begin_light(block);
   if (block.layer_count > 0) {
     const std::span<const Light> lights = context_.scene.lights;
+    const FeelerStarts starts{block.point, block.normal, block.size, block.lit_from_behind};
     for (std::size_t first = 0; first < lights.size(); first += kLightsAtOnce) {
       const std::size_t count = std::min(kLightsAtOnce, lights.size() - first);
-      context_.accel.clear(block.point, block.size, first, lights.subspan(first, count), kShadowGap, block.clear);
+      context_.accel.foresee(starts, first, lights.subspan(first, count), block.foreseen);
       light_hits(block, lights.subspan(first, count));
       spawn_feelers(static_cast<std::uint32_t>(first), count);
     }
   }
-  counts_.of(RayKind::shadow) += block.clear_feelers;
+  counts_.of(RayKind::shadow) += block.clear_feelers + block.blocked_feelers;
   counts_.clear += block.clear_feelers;
+  counts_.blocked += block.blocked_feelers;
   const Settings& settings = context_.scene.settings;
-  for (std::size_t i = 0; i < surfaces_.size(); ++i) {
+  for (std::size_t i = 0; i < block.size; ++i) {
     const Surface& surface = surfaces_[i];
     surface.sum->light += {block.sum.of[0][i], block.sum.of[1][i], block.sum.of[2][i]};
     if (surface.level >= settings.max_trace_level) continue;
-    const double share = std::min(1.0, static_cast<double>(std::abs(grey(surface.filter))));
-    if (share > settings.adc_bailout && spawn_transmission(i)) continue;
+    if (surface.share > settings.adc_bailout && spawn_transmission(i)) continue;
     spawn_reflections(i);
   }
 }
 
 void Stepper::spawn_feelers(std::uint32_t first_light, std::size_t light_count) {
-  for (std::size_t i = 0; i < surfaces_.size(); ++i) {
+  std::uint64_t hits = 0;
+  for (std::size_t l = 0; l < light_count; ++l) hits |= block_->open[l];
+  for (; hits != 0; hits &= hits - 1) {
+    const auto i = static_cast<std::size_t>(std::countr_zero(hits));
     std::uint32_t which = 0;
-    std::size_t count = 0;
-    for (std::size_t l = 0; l < light_count; ++l) {
-      const bool shines = block_->light[l][i] != 0;
-      which |= static_cast<std::uint32_t>(shines) << l;
-      count += shines;
-    }
-    if (count == 0) continue;
+    for (std::size_t l = 0; l < light_count; ++l) which |= static_cast<std::uint32_t>(block_->open[l] >> i & 1u) << l;
+    const int count = std::popcount(which);
     Surface& surface = surfaces_[i];
     if (count > RayTask::kMostFeelers || surface.open_record != kNoRecord) {
       for (; which != 0; which &= which - 1) {

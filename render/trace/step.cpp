@@ -24,7 +24,16 @@ std::uint8_t hidden_bit(const RayTask& task) {
 RayCounts& RayCounts::operator+=(const RayCounts& other) {
   for (std::size_t i = 0; i < by_kind.size(); ++i) by_kind[i] += other.by_kind[i];
   clear += other.clear;
+  blocked += other.blocked;
   return *this;
+}
+
+RayCounts RayCounts::operator-(const RayCounts& before) const {
+  RayCounts more;
+  for (std::size_t i = 0; i < by_kind.size(); ++i) more.by_kind[i] = by_kind[i] - before.by_kind[i];
+  more.clear = clear - before.clear;
+  more.blocked = blocked - before.blocked;
+  return more;
 }
 
 bool is_worth_tracing(const Settings& settings, const RayTask& task) {
@@ -102,19 +111,32 @@ void Stepper::step_radiance(std::span<const RayTask> tasks, std::span<const Ray>
     __builtin_prefetch(hits_[i].shape);
     __builtin_prefetch(&context_.scene.parts[hits_[i].part]);
   }
-  surfaces_.clear();
   mirrors_.clear();
   block_->begin(tasks.size());
+  // Matt surfaces first, so that highlights are worked out for few that have none.
+  std::size_t matt = 0;
+  std::size_t glossy = tasks.size();
+  std::array<std::uint8_t, kRaysAtOnce> order;
   for (std::size_t i = 0; i < tasks.size(); ++i) {
     const RayTask& task = tasks[i];
     light[i] = {task.sample, {}, -bound_.at_stake(task)};
     if (hits_[i].part == kNoIndex) {
       light[i].light = FixedRgb::from(task.radiance.weight() * context_.scene.settings.background);
-    } else {
-      meet(task, {task.origin, block.direction.vector(i)}, hits_[i], light[i]);
+      continue;
     }
+    const std::uint32_t texture = context_.scene.parts[hits_[i].part].texture;
+    const bool is_glossy = texture != kNoIndex && table_->is_glossy(texture);
+    order[is_glossy ? --glossy : matt++] = static_cast<std::uint8_t>(i);
   }
-  if (!surfaces_.empty()) shade();
+  const auto meet_all = [&](std::size_t first, std::size_t end) {
+    for (std::size_t k = first; k < end; ++k) {
+      const std::size_t i = order[k];
+      meet(tasks[i], {tasks[i].origin, block.direction.vector(i)}, hits_[i], light[i]);
+    }
+  };
+  meet_all(0, matt);
+  meet_all(glossy, tasks.size());
+  if (block_->size > 0) shade();
 }
 
 void Stepper::step_shadow(std::span<const RayTask> tasks, std::span<Contribution> light) {
@@ -217,10 +239,7 @@ Rgb Stepper::trace_sealed(const RayTask& root) {
     for (const Contribution& contribution : sealed_->light()) sum += contribution.light;
     waiting.insert(waiting.end(), sealed_->spawned().begin(), sealed_->spawned().end());
   }
-  for (std::size_t i = 0; i < counts_.by_kind.size(); ++i) {
-    counts_.by_kind[i] += sealed_->counts_.by_kind[i] - before.by_kind[i];
-  }
-  counts_.clear += sealed_->counts_.clear - before.clear;
+  counts_ += sealed_->counts_ - before;
   return sum.to_rgb();
 }
 

@@ -20,13 +20,16 @@ namespace firstlight::render {
 /// Rays that are done, by kind.
 struct RayCounts {
   std::array<std::uint64_t, 4> by_kind{};  ///< indexed by RayKind
-  std::uint64_t clear = 0;                 ///< of the feelers: known to meet nothing, so they are not traced
+  // Of the feelers, those that are known by their direction, so they are not traced:
+  std::uint64_t clear = 0;
+  std::uint64_t blocked = 0;
 
   std::uint64_t& of(RayKind kind) { return by_kind[static_cast<std::size_t>(kind)]; }
   std::uint64_t of(RayKind kind) const { return by_kind[static_cast<std::size_t>(kind)]; }
   std::uint64_t total() const { return by_kind[0] + by_kind[1] + by_kind[2] + by_kind[3]; }
-  std::uint64_t traced() const { return total() - clear; }
+  std::uint64_t traced() const { return total() - clear - blocked; }
   RayCounts& operator+=(const RayCounts& other);
+  RayCounts operator-(const RayCounts& before) const;
 };
 
 /// What tracing reads: the scene, its hierarchy, and the shared table of media.
@@ -75,8 +78,9 @@ class Stepper {
     const Part* part;
     Contribution* sum;  ///< of the task
     double depth;
-    int level;   ///< of everything spawned here
-    Rgb filter;  ///< what all layers let through
+    int level;     ///< of everything spawned here
+    Rgb filter;    ///< what all layers let through
+    double share;  ///< the same as one number; 0 where nothing passes
     std::size_t first_mirror;
     std::size_t mirror_count;
     std::size_t open_record;  ///< of feelers, that may take more; kNoRecord: none
@@ -95,7 +99,7 @@ class Stepper {
   /// What transparent things keep of a feeler's light that nothing opaque blocks, as it is taken from the film.
   FixedRgb lost_light(const RayTask& task, std::size_t feeler) const;
 
-  /// Adds the hit to surfaces_ and block_, unless it takes the light and gives none.
+  /// Adds the hit to block_ and surfaces_, unless it takes the light and gives none.
   void meet(const RayTask& task, const Ray& ray, const Hit& hit, Contribution& sum);
   void meet_layers(Surface& surface, std::size_t hit, std::uint32_t texture);
   /// Lights all that was met, and lets it send on its rays.
@@ -129,7 +133,7 @@ class Stepper {
   std::unique_ptr<RayBlock> rays_;
   Column<std::int64_t> packed_directions_;
   std::array<Hit, kRaysAtOnce> hits_;
-  std::vector<Surface> surfaces_;
+  std::array<Surface, kRaysAtOnce> surfaces_;  ///< block_->size of them
   std::vector<Mirror> mirrors_;
   std::unique_ptr<HitBlock> block_;
   std::unique_ptr<FeelerBlock> feelers_;

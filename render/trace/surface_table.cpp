@@ -17,6 +17,9 @@ SurfaceTable::SurfaceTable(const Scene& scene)
   for (const PlacedTexture& placed : scene.textures) {
     for (const TextureLayer& layer : placed.texture->layers) layers_.push_back(prepared(layer));
     first_.push_back(layers_.size());
+    glossy_.push_back(static_cast<std::uint8_t>(
+        std::any_of(layers_.end() - static_cast<std::ptrdiff_t>(placed.texture->layers.size()), layers_.end(),
+                    [](const SurfaceLayer& layer) { return layer.specular > 0.0 || layer.phong > 0.0; })));
   }
 }
 
@@ -33,6 +36,8 @@ SurfaceLayer SurfaceTable::prepared(const TextureLayer& layer) const {
   surface.specular = finish.specular;
   surface.specular_exponent = finish.roughness_exponent;
   surface.metallic = finish.metallic;
+  surface.has_rare = surface.diffuse_back != 0.0 || surface.brilliance != 1.0 || surface.phong != 0.0 ||
+                     (surface.metallic > 0.0 && surface.specular != 0.0);
 
   surface.reflects = !is_black(finish.reflection_max) || !is_black(finish.reflection_min);
   surface.strongest = std::max(max_component(finish.reflection_max), max_component(finish.reflection_min));

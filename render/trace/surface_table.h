@@ -31,12 +31,13 @@ struct SurfaceLayer {
   Rgb own_light{0.0f, 0.0f, 0.0f};  ///< of a white surface
   // Of Finish, without what is less than nothing.
   double diffuse = 0.0;
+  double specular = 0.0;
+  double specular_exponent = 0.0;
+  bool has_rare = false;  ///< any of what follows is not as it is here
   double diffuse_back = 0.0;
   double brilliance = 1.0;
   double phong = 0.0;
   double phong_size = 0.0;
-  double specular = 0.0;
-  double specular_exponent = 0.0;
   double metallic = 0.0;
 };
 
@@ -53,6 +54,8 @@ class SurfaceTable {
   std::span<const SurfaceLayer> layers(std::uint32_t texture) const {
     return {layers_.data() + first_[texture], layers_.data() + first_[texture + 1]};
   }
+  /// Whether any layer has highlights.
+  bool is_glossy(std::uint32_t texture) const { return glossy_[texture] != 0; }
   /// The layer's colour where its pigment is `pigment`.
   LayerColor color(const SurfaceLayer& layer, const FilteredColor& pigment) const;
 
@@ -63,6 +66,7 @@ class SurfaceTable {
   Rgb ambient_light_;
   std::vector<SurfaceLayer> layers_;
   std::vector<std::size_t> first_;  // of each texture, and one beyond the last
+  std::vector<std::uint8_t> glossy_;
 };
 
 }  // namespace firstlight::render

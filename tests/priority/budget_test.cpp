@@ -63,7 +63,7 @@ TEST_F(QueueMemory, IsKeptByEverySchemeWithAnyNumberOfThreads) {
 }
 
 TEST_F(QueueMemory, WouldBeExceededManyTimesWithoutABudget) {
-  constexpr std::size_t kMany = kWidth * kHeight / 500;
+  constexpr std::size_t kMany = kWidth * kHeight / 1000;
   std::vector<render::Rgb> colors;
   EXPECT_GT(render_with("level", 0, 1, colors).statistics.peak_bytes, kMany * kSmallestQueueMemory);
   EXPECT_GT(render_with("ray-type", 0, 1, colors).statistics.peak_bytes, kMany * kSmallestQueueMemory);

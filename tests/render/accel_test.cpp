@@ -1,6 +1,6 @@
 #include "render/accel/accel.h"
 
-#include "tests/render/solid_test_support.h"
+#include "tests/render/accel_test_support.h"
 
 #include <gtest/gtest.h>
 #include <hwy/targets.h>
@@ -13,119 +13,12 @@ namespace {
 
 using Kind = Solid::Kind;
 
-/// What Accel::closest promises, by asking every solid.
-Hit brute_closest(const Scene& scene, const RayQuery& query) {
-  Hit best;
-  best.depth = query.max_depth;
-  for (std::size_t s = 0; s < scene.solids.size(); ++s) {
-    if ((scene.solids[s].hidden_from & query.hidden_bit) != 0) continue;
-    std::vector<Crossing> all;
-    scene.solids[s].crossings(query.ray, query.hidden_bit, all);
-    for (std::size_t i = all.size(); i-- > 0;) {
-      const Crossing& c = all[i];
-      if (!(c.depth > query.min_depth && c.depth < best.depth)) continue;
-      best = {c.depth, c.part, c.face, c.shape, static_cast<std::uint32_t>(s)};
-    }
-  }
-  return best.part == kNoIndex ? Hit() : best;
-}
-
-bool brute_occluded(const Scene& scene, const RayQuery& query) {
-  for (const Solid& solid : scene.solids) {
-    if ((solid.hidden_from & query.hidden_bit) != 0) continue;
-    std::vector<Crossing> all;
-    solid.crossings(query.ray, query.hidden_bit, all);
-    for (const Crossing& c : all) {
-      if (scene.parts[c.part].opaque && c.depth > query.min_depth && c.depth < query.max_depth) return true;
-    }
-  }
-  return false;
-}
-
 void expect_same(const Hit& a, const Hit& b) {
   ASSERT_EQ(a.part, b.part);
   ASSERT_EQ(a.depth, b.depth);
   ASSERT_EQ(a.face, b.face);
   ASSERT_EQ(a.shape, b.shape);
   ASSERT_EQ(a.solid, b.solid);
-}
-
-class Dice {
- public:
-  explicit Dice(unsigned seed) : random_(seed) {}
-  double between(double low, double high) { return std::uniform_real_distribution<double>(low, high)(random_); }
-  Vec3 point(double reach) {
-    const double x = between(-reach, reach);
-    const double y = between(-reach, reach);
-    return Vec3(x, y, between(-reach, reach));
-  }
-  int below(int n) { return std::uniform_int_distribution<int>(0, n - 1)(random_); }
-
- private:
-  std::mt19937 random_;
-};
-
-ShapePtr random_shape(Dice& dice) {
-  const Vec3 p = dice.point(5.0);
-  const double r = dice.between(0.05, 0.6);
-  switch (dice.below(8)) {
-    case 0:
-      return make_box(p, p + dice.point(1.0));
-    case 1:
-      return make_cylinder(p, p + dice.point(1.0), r, dice.below(2) == 0);
-    case 2:
-      return make_cone(p, r, p + dice.point(1.0), 0.0, false);
-    case 3:
-      return make_torus(r, 0.3 * r)->placed(Transform::rotation(dice.point(180)).then(Transform::translation(p)));
-    case 4:
-      return make_triangle(p, p + dice.point(1.0), p + dice.point(1.0));
-    case 5:
-      return make_disc(p, dice.point(1.0), r, 0.3 * r);
-    case 6:
-      return make_sphere(Vec3(0.0), r)->placed(Transform::scaling(Vec3(1, 2, 0.5)).then(Transform::translation(p)));
-    default:
-      return make_sphere(p, r);
-  }
-}
-
-Scene mixed_scene(unsigned seed, int count) {
-  Dice dice(seed);
-  Scene scene;
-  for (int i = 0; i < count; ++i) {
-    Solid solid = solid_of(random_shape(dice));
-    if (dice.below(6) == 0) {
-      solid = combined(Kind::intersection, {solid, solid_of(make_sphere(dice.point(5.0), 3.0)->inverted())});
-    }
-    if (dice.below(8) == 0) solid = clipped(solid, solid_of(make_plane(dice.point(1.0), 0.2)));
-    if (dice.below(8) == 0) solid.hidden_from = static_cast<std::uint8_t>(1 << dice.below(3));
-    add_solid(scene, std::move(solid), dice.below(3) != 0);
-  }
-  add_solid(scene, solid_of(make_plane(Vec3(0, 1, 0), -4.5)));
-  add_solid(scene, solid_of(make_plane(Vec3(1, 0.2, 0), 7.0)), false);
-  add_solid(scene, solid_of(make_sphere(Vec3(0.0), 1e6)));
-  return scene;
-}
-
-std::vector<RayQuery> random_queries(unsigned seed, int count) {
-  Dice dice(seed);
-  std::vector<RayQuery> queries;
-  for (int i = 0; i < count; ++i) {
-    RayQuery q;
-    q.ray.origin = dice.point(dice.below(4) == 0 ? 100.0 : 6.0);
-    Vec3 d = dice.point(4.0) - q.ray.origin;
-    if (dice.below(5) == 0) d[dice.below(3)] = 0.0;
-    if (dice.below(10) == 0) {  // along an axis
-      const int axis = dice.below(3);
-      d = Vec3(0.0);
-      d[axis] = dice.below(2) == 0 ? 1.0 : -1.0;
-    }
-    q.ray.direction = d.normalized();
-    q.min_depth = dice.below(4) == 0 ? dice.between(0.0, 5.0) : 1e-4;
-    q.max_depth = dice.below(3) == 0 ? dice.between(1.0, 15.0) : 1e7;
-    q.hidden_bit = static_cast<std::uint8_t>(dice.below(4) == 0 ? 0 : 1 << dice.below(3));
-    queries.push_back(q);
-  }
-  return queries;
 }
 
 TEST(Accel, AgreesToTheBitWithAskingEverySolid) {
@@ -369,122 +262,6 @@ TEST(Accel, RaysAndSolidsThatAreNoNumbersMeetNothingAndDoNoHarm) {
       EXPECT_EQ(hit.depth, 1.0);
     }
   }
-}
-
-// ---- Feelers that need not be traced
-// ---------------------------------------------------------------------------------
-
-constexpr double kGap = 1e-3;
-
-/// Whether anything that casts a shadow, opaque or not, lies between the point and the light, but for the gap at both
-/// ends.
-bool brute_shadowed(const Scene& scene, const Vec3& point, const Vec3& light) {
-  const Vec3 way = light - point;
-  const Ray ray{point, way.normalized()};
-  for (const Solid& solid : scene.solids) {
-    if ((solid.hidden_from & kHiddenFromShadow) != 0) continue;
-    std::vector<Crossing> all;
-    solid.crossings(ray, kHiddenFromShadow, all);
-    for (const Crossing& c : all) {
-      if (c.depth > kGap && c.depth < way.length() - kGap) return true;
-    }
-  }
-  return false;
-}
-
-/// Points on surfaces, where feelers begin, and anywhere.
-std::vector<Vec3> points_of(const Scene& scene, unsigned seed, int count) {
-  std::vector<Vec3> points;
-  for (const RayQuery& query : random_queries(seed, count)) {
-    const Hit hit = brute_closest(scene, query);
-    points.push_back(hit.part == kNoIndex ? query.ray.origin : query.ray.at(hit.depth));
-  }
-  return points;
-}
-
-struct Clear {
-  std::vector<std::vector<std::uint64_t>> bits;  ///< of each block of points, by light
-  explicit Clear(const Scene& scene, const std::vector<Vec3>& points) {
-    const Accel accel(scene);
-    for (std::size_t first = 0; first < points.size(); first += kRaysAtOnce) {
-      Columns3<double> block;
-      const std::size_t size = std::min(kRaysAtOnce, points.size() - first);
-      for (std::size_t i = 0; i < size; ++i) block.set(i, points[first + i]);
-      bits.emplace_back(scene.lights.size(), 0u);
-      accel.clear(block, size, 0, scene.lights, kGap, bits.back());
-    }
-  }
-  bool of(std::size_t point, std::size_t light) const {
-    return (bits[point / kRaysAtOnce][light] >> point % kRaysAtOnce & 1u) != 0;
-  }
-};
-
-void add_lights(Scene& scene, unsigned seed, int count) {
-  Dice dice(seed);
-  for (int l = 0; l < count; ++l) {
-    Light light;
-    light.position = dice.point(l % 2 == 0 ? 4.0 : 30.0);
-    scene.lights.push_back(light);
-  }
-}
-
-TEST(ClearFeelers, MeetNothingThatCastsAShadow) {
-  for (unsigned seed = 31; seed < 37; ++seed) {
-    Scene scene = seed % 2 == 0 ? spheres_and_planes(seed) : mixed_scene(seed, 30);
-    add_lights(scene, seed, 5);
-    const std::vector<Vec3> points = points_of(scene, seed, 1500);
-    const Clear clear(scene, points);
-    for (std::size_t i = 0; i < points.size(); ++i) {
-      for (std::size_t l = 0; l < scene.lights.size(); ++l) {
-        if (!clear.of(i, l)) continue;
-        ASSERT_FALSE(brute_shadowed(scene, points[i], scene.lights[l].position)) << "point " << i << ", light " << l;
-      }
-    }
-  }
-}
-
-TEST(ClearFeelers, AreNearlyAllThatHaveAClearWay) {
-  // A floor with a few balls far apart, and a light above: many feelers from the floor, few that a ball is near.
-  Scene scene;
-  add_solid(scene, solid_of(make_plane(Vec3(0, 1, 0), 0.0)));
-  for (int i = 0; i < 5; ++i) add_solid(scene, solid_of(make_sphere(Vec3(2.0 * i, 0.5, 0.0), 0.3)));
-  scene.lights.resize(1);
-  scene.lights[0].position = Vec3(0.0, 10.0, 0.0);
-  std::vector<Vec3> points;
-  Dice dice(41);
-  for (int i = 0; i < 2000; ++i) points.push_back({dice.between(-8.0, 8.0), 0.0, dice.between(-8.0, 8.0)});
-  const Clear clear(scene, points);
-  int open = 0;
-  int found = 0;
-  for (std::size_t i = 0; i < points.size(); ++i) {
-    if (brute_shadowed(scene, points[i], scene.lights[0].position)) continue;
-    ++open;
-    found += clear.of(i, 0) ? 1 : 0;
-  }
-  EXPECT_GT(open, 1900);
-  EXPECT_GT(found, open * 98 / 100);
-}
-
-TEST(ClearFeelers, AreNoneWhereSomethingWithoutBoundsIsNoPlane) {
-  Scene scene;
-  add_solid(scene, combined(Kind::intersection,
-                            {solid_of(make_plane(Vec3(0, 1, 0), -50.0)), solid_of(make_plane(Vec3(1, 0, 0), -50.0))}));
-  add_lights(scene, 42, 2);
-  const std::vector<Vec3> points(64, Vec3(0.0));
-  const Clear clear(scene, points);
-  EXPECT_EQ(clear.bits[0], (std::vector<std::uint64_t>{0, 0}));
-}
-
-TEST(ClearFeelers, DoNotDependOnTheInstructionSet) {
-  Scene scene = spheres_and_planes(43);
-  add_lights(scene, 43, 8);
-  const std::vector<Vec3> points = points_of(scene, 44, 1000);
-  const Clear best(scene, points);
-  for (const std::int64_t target : hwy::SupportedAndGeneratedTargets()) {
-    hwy::GetChosenTarget().Update(target);
-    EXPECT_EQ(Clear(scene, points).bits, best.bits);
-  }
-  hwy::GetChosenTarget().Update(hwy::SupportedTargets());
 }
 
 }  // namespace

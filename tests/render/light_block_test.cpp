@@ -66,6 +66,7 @@ struct LitHit {
     layer.color.set(i, color);
     layer.share.set(i, share);
     layer.diffuse[i] = diffuse;
+    layer.has_rare = true;
     layer.diffuse_back[i] = diffuse_back;
     layer.brilliance[i] = brilliance;
     layer.phong[i] = phong;
@@ -133,6 +134,15 @@ std::unique_ptr<HitBlock> block_of(const std::vector<LitHit>& hits) {
   return block;
 }
 
+/// What the feeler of a hit to a light holds; black where none is to be traced.
+PackedRgb held(const HitBlock& block, std::size_t light, std::size_t hit) {
+  return (block.open[light] >> hit & 1u) != 0 ? PackedRgb::from_bits(block.light[light][hit]) : PackedRgb();
+}
+
+FixedRgb sum_of(const HitBlock& block, std::size_t hit) {
+  return {block.sum.of[0][hit], block.sum.of[1][hit], block.sum.of[2][hit]};
+}
+
 /// What a block found, as bytes.
 std::vector<std::int64_t> found(const HitBlock& block, std::size_t lights) {
   std::vector<std::int64_t> all;
@@ -140,7 +150,7 @@ std::vector<std::int64_t> found(const HitBlock& block, std::size_t lights) {
     all.push_back(block.mirrored[i]);
     for (const auto& column : block.sum.of) all.push_back(column[i]);
     all.push_back(block.at_stake[i]);
-    for (std::size_t l = 0; l < lights; ++l) all.push_back(std::bit_cast<std::int64_t>(block.light[l][i]));
+    for (std::size_t l = 0; l < lights; ++l) all.push_back(std::bit_cast<std::int64_t>(held(block, l, i)));
   }
   return all;
 }
@@ -164,8 +174,8 @@ TEST(LightBlock, LightIsThatOfTheFormulas) {
     light_hits(*block, {&light, 1});
     for (std::size_t i = 0; i < hits.size(); ++i) {
       const Rgb expected = hits[i].lit_by(light);
-      const Rgb sum = FixedRgb{block->sum.of[0][i], block->sum.of[1][i], block->sum.of[2][i]}.to_rgb();
-      const Rgb at_stake = PackedRgb::from_bits(block->light[0][i]).unpack();
+      const Rgb sum = sum_of(*block, i).to_rgb();
+      const Rgb at_stake = held(*block, 0, i).unpack();
       const float tolerance = 3e-5f * max_magnitude(expected) + 1e-10f;  // mantissas of 18 bits
       for (int c = 0; c < 3; ++c) {
         ASSERT_NEAR(sum[c], expected[c], tolerance);
@@ -198,6 +208,39 @@ TEST(LightBlock, NothingDependsOnTheInstructionSetOrOnTheOtherHits) {
   });
 }
 
+TEST(LightBlock, NoFeelerIsHeldWhereItsEndIsForeseen) {
+  Dice dice(7);
+  std::vector<LitHit> hits;
+  for (std::size_t i = 0; i < kRaysAtOnce; ++i) hits.push_back(random_hit(dice));
+  std::vector<Light> lights(2);
+  for (Light& light : lights) light.position = dice.point(9.0);
+  const Foreseen foreseen{0x00ff00ff00ff00ffu, 0x0f000f000f000f00u};
+  for_each_instruction_set([&] {
+    const auto traced = block_of(hits);
+    light_hits(*traced, lights);
+    const auto block = block_of(hits);
+    block->foreseen[1] = foreseen;
+    light_hits(*block, lights);
+    std::size_t clear = 0;
+    std::size_t blocked = 0;
+    for (std::size_t i = 0; i < hits.size(); ++i) {
+      const PackedRgb all = held(*traced, 1, i);
+      const bool is_clear = (foreseen.clear >> i & 1u) != 0;
+      const bool is_blocked = (foreseen.blocked >> i & 1u) != 0;
+      FixedRgb expected = sum_of(*traced, i);
+      if (is_blocked) expected -= FixedRgb::from(all);
+      EXPECT_EQ(sum_of(*block, i), expected);
+      EXPECT_EQ(held(*block, 0, i).bits(), held(*traced, 0, i).bits());
+      EXPECT_EQ(held(*block, 1, i).bits(), is_clear || is_blocked ? 0 : all.bits());
+      clear += is_clear && all.bits() != 0;
+      blocked += is_blocked && all.bits() != 0;
+    }
+    EXPECT_GT(blocked, 4u);
+    EXPECT_EQ(block->clear_feelers, clear);
+    EXPECT_EQ(block->blocked_feelers, blocked);
+  });
+}
+
 TEST(LightBlock, WhatIsAddedIsWhatTheFeelersHold) {
   Dice dice(3);
   std::vector<LitHit> hits;
@@ -217,7 +260,7 @@ TEST(LightBlock, WhatIsAddedIsWhatTheFeelersHold) {
         RayTask record;
         bool any = false;
         for (std::uint32_t l = 0; l < lights.size(); ++l) {
-          const PackedRgb at_stake = PackedRgb::from_bits(block->light[l][i]);
+          const PackedRgb at_stake = held(*block, l, i);
           sum += FixedRgb::from(at_stake);
           if (at_stake.bits() == 0) continue;
           if (any) {
@@ -227,7 +270,7 @@ TEST(LightBlock, WhatIsAddedIsWhatTheFeelersHold) {
           }
           any = true;
         }
-        ASSERT_EQ(sum, (FixedRgb{block->sum.of[0][i], block->sum.of[1][i], block->sum.of[2][i]}));
+        ASSERT_EQ(sum, sum_of(*block, i));
         const RadianceBound bound(*SceneBuilder().build());
         ASSERT_EQ(block->at_stake[i], any ? bound.at_stake(record) : 0);
       }
