@@ -1,3 +1,4 @@
+#include "app/heap.h"
 #include "app/options.h"
 #include "app/parse_command.h"
 #include "app/process_start.h"
@@ -84,6 +85,7 @@ int run(std::vector<std::string> arguments, std::chrono::steady_clock::time_poin
 
 int main(int argc, char** argv) {
   const auto start = firstlight::app::process_start();
+  firstlight::app::use_large_pages();
   try {
     return run({argv + 1, argv + argc}, start);
   } catch (const std::bad_alloc&) {
