@@ -1,8 +1,9 @@
-// Evaluation of formulas.
+// Evaluation of formulas: by programs, and step by step where none can be made.
 #include "parser/formula.h"
 
 #include "parser/arithmetic.h"
 #include "parser/expression.h"
+#include "parser/formula_program.h"
 #include "parser/function_values.h"
 #include "parser/interpreter.h"
 
@@ -17,25 +18,10 @@ using Step = Formula::Step;
 
 render::Vec3 as_vector(const Numbers& numbers) { return {numbers.values[0], numbers.values[1], numbers.values[2]}; }
 
-/// The stack of a formula in which only single numbers occur: what places want does not matter to them.
-class NumberStack {
+/// Operands of any size.
+class Stack {
  public:
-  double& top() { return slots_[height_ - 1]; }
-  double pop() { return slots_[--height_]; }
-  void push(double value, const Step&) { slots_[height_++] = value; }
-  void push_name(const Numbers& value, const Step&) { slots_[height_++] = value.values[0]; }
-  void promote_top(const Step&) {}
-  void check(Interpreter&, const Step&) {}
-
- private:
-  std::array<double, Formula::kDeepestStack> slots_;
-  std::size_t height_ = 0;
-};
-
-/// The stack of the other formulas.
-class VectorStack {
- public:
-  explicit VectorStack(std::uint8_t terms) : terms_(terms) {}
+  explicit Stack(std::uint8_t terms) : terms_(terms) {}
 
   Numbers& top() { return slots_[height_ - 1]; }
   Numbers pop() { return slots_[--height_]; }
@@ -67,11 +53,10 @@ class VectorStack {
   std::uint8_t terms_;
 };
 
-double first_of(double number) { return number; }
 double first_of(const Numbers& numbers) { return numbers.values[0]; }
 
-// Steps that only formulas with vectors have.
-void run_step(Interpreter& in, const Step& step, VectorStack& stack) {
+// The rarer steps.
+void run_step(Interpreter& in, const Step& step, Stack& stack) {
   switch (step.operation) {
     case Operation::unit:
       return stack.push_name(unit(step.index, static_cast<std::uint8_t>(step.number)), step);
@@ -101,12 +86,9 @@ void run_step(Interpreter& in, const Step& step, VectorStack& stack) {
   }
 }
 
-void run_step(Interpreter&, const Step&, NumberStack&) {}
-
-template <class Stack>
 void run(Interpreter& in, std::span<const Step> steps, const Numbers* const* values, Stack& stack) {
   const auto operate = [&](auto operation) {
-    const auto right = stack.pop();
+    const Numbers right = stack.pop();
     stack.top() = combine(stack.top(), right, operation);
   };
   for (const Step& step : steps) {
@@ -176,18 +158,22 @@ void run(Interpreter& in, std::span<const Step> steps, const Numbers* const* val
 
 }  // namespace
 
+Formula::Formula() = default;
+Formula::~Formula() = default;
+
 void Formula::evaluate(Interpreter& in, const Values& values, std::uint8_t terms, Numbers& result) const {
-  if (has_vectors_ || values.vectors || (has_division_ && terms > 1)) {
-    VectorStack stack(terms);
-    run(in, steps_, values.of_names.data(), stack);
-    result = stack.top();
-  } else {
-    NumberStack stack;
-    run(in, steps_, values.of_names.data(), stack);
-    result.values[0] = stack.top();
-    result.size = 1;
-    promote(result, terms);
+  for (const auto& program : programs_) {
+    if (program->serves(values.shape, terms)) return program->run(in, values.of_names.data(), result);
   }
+  if (programs_.size() < kMostPrograms) {
+    if (std::unique_ptr<const FormulaProgram> program = FormulaProgram::make(steps_, values.shape, terms)) {
+      programs_.push_back(std::move(program));
+      return programs_.back()->run(in, values.of_names.data(), result);
+    }
+  }
+  Stack stack(terms);
+  run(in, steps_, values.of_names.data(), stack);
+  result = stack.top();
 }
 
 const Formula* FormulaTable::meet(const std::vector<Token>& tokens, std::uint32_t begin, Formula::Kind kind) {

@@ -11,6 +11,7 @@
 
 namespace firstlight::parser {
 
+class FormulaProgram;
 class Interpreter;
 
 /// A numeric expression of the scene text in the form of steps for a stack machine: text that loops and macros replay
@@ -63,6 +64,9 @@ class Formula {
     double number = 0.0;
   };
 
+  Formula();
+  ~Formula();
+
   /// That of the expression which begins at `begin`; null when it has none.
   static std::unique_ptr<const Formula> compile(const std::vector<Token>& tokens, std::uint32_t begin, Kind kind);
 
@@ -81,16 +85,25 @@ class Formula {
   /// Whether it is a name and nothing else.
   bool is_name() const { return steps_.size() == 1 && steps_[0].operation == Operation::name; }
 
+  /// Of what the names stand for, kShapeBits each: how many components, and kColorShape of a colour.
+  using Shape = std::uint64_t;
+  static constexpr unsigned kShapeBits = 4, kColorShape = 8;
+  static_assert(kMostNames * kShapeBits <= 64);
+  static Shape shape_of(const Numbers& value, std::size_t name) {
+    return Shape{value.size | (value.is_color ? kColorShape : 0u)} << (kShapeBits * name);
+  }
+
   /// What the names stand for, in their order.
   struct Values {
     std::array<const Numbers*, kMostNames> of_names;
-    bool vectors = false;  ///< some have more than one component
+    Shape shape = 0;
   };
   /// `terms`: how many components the place wants. Pre: `result` is as it was made.
   void evaluate(Interpreter& in, const Values& values, std::uint8_t terms, Numbers& result) const;
 
  private:
   friend class FormulaCompiler;
+  static constexpr std::size_t kMostPrograms = 4;
 
   std::vector<Step> steps_;
   std::vector<std::uint32_t> names_;
@@ -99,8 +112,7 @@ class Formula {
   std::uint32_t end_ = 0;
   std::size_t depth_ = 0;
   bool ends_at_hold_ = false;
-  bool has_vectors_ = false;   // even when all names are single numbers
-  bool has_division_ = false;  // which warns for each component
+  mutable std::vector<std::unique_ptr<const FormulaProgram>> programs_;  // for the shapes that there have been
 };
 
 /// The formulas of a file's expressions. One is made when an expression is met for the second time.

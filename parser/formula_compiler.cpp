@@ -138,7 +138,6 @@ class FormulaCompiler {
       const Token& mark = tokens_[at_++];
       if (!operand(Formula::kOfLeft)) return false;
       operate(mark.is(Punctuation::star) ? Operation::multiply : Operation::divide, mark);
-      formula_.has_division_ |= mark.is(Punctuation::slash);
     }
     return true;
   }
@@ -198,7 +197,6 @@ class FormulaCompiler {
 
   // `<a, b>` to `<a, b, c, d, e>`, the `<` taken.
   bool vector(const Token& opening) {
-    formula_.has_vectors_ = true;
     std::uint8_t count = 0;
     do {
       if (count == 5 || !number()) return false;
@@ -210,7 +208,6 @@ class FormulaCompiler {
   }
 
   bool component() {
-    formula_.has_vectors_ = true;
     const Token& word = tokens_[at_++];
     if (picked_component(word.keyword) == kNoComponent) return false;
     emit(Operation::component, word);
@@ -249,7 +246,6 @@ class FormulaCompiler {
   }
 
   bool unit_vector(const Token& token, std::uint8_t component, std::uint8_t size, std::uint8_t terms) {
-    formula_.has_vectors_ = true;
     Formula::Step& step = emit(Operation::unit, token, terms);
     step.index = component;
     step.number = size;
@@ -284,8 +280,7 @@ class FormulaCompiler {
         emit(Operation::fold_end, word, terms);
         break;
       default:
-        formula_.has_vectors_ = true;
-        if (!vector_argument()) return false;
+            if (!vector_argument()) return false;
         if (takes_second_vector(word.keyword)) {
           accept(Punctuation::comma);
           if (!vector_argument()) return false;

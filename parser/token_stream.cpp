@@ -148,12 +148,13 @@ const Formula* TokenStream::next_formula(Formula::Kind kind, Punctuation opening
 }
 
 bool TokenStream::accept_formula(const Formula& formula, Punctuation closing, Formula::Values& values) {
-  const Numbers** value = values.of_names.data();
+  std::size_t name = 0;
   for (const std::uint32_t symbol : formula.names()) {
     const Scopes::Binding* const binding = scopes_.find(symbol);
-    *value = binding != nullptr ? std::get_if<Numbers>(binding->slot.get()) : nullptr;
-    if (*value == nullptr) return false;
-    values.vectors |= (*value++)->size > 1;
+    const Numbers* const value = binding != nullptr ? std::get_if<Numbers>(binding->slot.get()) : nullptr;
+    if (value == nullptr) return false;
+    values.shape |= Formula::shape_of(*value, name);
+    values.of_names[name++] = value;
   }
   Frame& frame = frames_.back();
   const std::uint32_t begin = settled_ ? next_index_ : frame.position;
@@ -199,26 +200,18 @@ void TokenStream::leave_frame() {
 
 // --- blocks ---------------------------------------------------------------------------------------------------------
 
-void TokenStream::open_block(const Token& owner) {
+void TokenStream::fail_block(const Token& owner) {
   if (!peek().is(Punctuation::left_brace)) {
     fail(peek().location, "expected '{' after '" + std::string(owner.text) + "', found " + describe_next());
   }
-  if (blocks_.size() >= kDeepestBlock) {
-    fail(owner.location, "blocks are nested too deeply here (limit " + std::to_string(kDeepestBlock) + ")");
-  }
-  take();
-  blocks_.push_back(owner);
+  fail(owner.location, "blocks are nested too deeply here (limit " + std::to_string(kDeepestBlock) + ")");
 }
 
-void TokenStream::close_block() {
-  const Token owner = blocks_.back();
+void TokenStream::fail_unclosed_block() {
+  const Token& owner = blocks_.back();
   const std::string name(owner.text);
-  if (!peek().is(Punctuation::right_brace)) {
-    fail(peek().location, "expected '}' to close '" + name + "', found " + describe_next(), owner.location,
-         "'" + name + "' opened here");
-  }
-  take();
-  blocks_.pop_back();
+  fail(peek().location, "expected '}' to close '" + name + "', found " + describe_next(), owner.location,
+       "'" + name + "' opened here");
 }
 
 // --- messages -------------------------------------------------------------------------------------------------------

@@ -112,8 +112,16 @@ class TokenStream {
   };
 
   // --- blocks -------------------------------------------------------------------------------------------------------
-  void open_block(const Token& owner);
-  void close_block();
+  void open_block(const Token& owner) {
+    if (!peek().is(Punctuation::left_brace) || blocks_.size() >= kDeepestBlock) fail_block(owner);
+    take();
+    blocks_.push_back(owner);
+  }
+  void close_block() {
+    if (!peek().is(Punctuation::right_brace)) fail_unclosed_block();
+    take();
+    blocks_.pop_back();
+  }
 
   // --- messages -----------------------------------------------------------------------------------------------------
   [[noreturn]] void fail(const Location& at, std::string message);
@@ -208,6 +216,8 @@ class TokenStream {
   static constexpr std::uint64_t kTokensBetweenLooks = 1u << 12;
 
   [[noreturn]] void fail_nesting();
+  [[noreturn]] void fail_block(const Token& owner);
+  [[noreturn]] void fail_unclosed_block();
   [[noreturn]] void fail_expected(Punctuation mark, std::string_view purpose, std::string_view name);
   void warn_of_deprecated(const Token& name);
   void note_statement(std::uint32_t position) {

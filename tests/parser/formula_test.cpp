@@ -114,6 +114,16 @@ TEST(Formula, ANameMayChangeItsKindFromTurnToTurn) {
   EXPECT_EQ(debugged("#macro M(X) #debug str((X = \"a\") + (X < \"b\")*10, 0, 0) #end M(\"a\") M(\"b\") M(\"a\")"),
             "11011");
 }
+TEST(Formula, ANameMayChangeItsSizeFromTurnToTurn) {
+  const std::string values = "array mixed [6] { 2, <1, 2>, <1, 2, 3>, <1, 2, 3, 4>, rgb <1, 2, 3>, <1, 2, 3, 4, 5> }";
+  const std::string loop = "#declare Values = " + values +
+                           "; #for (Turn, 0, 2) #for (I, 0, 5) #declare A = Values[I]; "
+                           "#debug concat(\" \", vstr(5, 1 + A*2, \",\", 0, 0)) "
+                           "#debug concat(\" \", vstr(3, <A.x, 2, 3>*A, \",\", 0, 0)) #end #end";
+  const std::string turn =
+      " 5,0,0,0,0 4,4,6 3,5,0,0,0 1,4,0 3,5,7,0,0 1,4,9 3,5,7,9,0 1,4,9 3,5,7,1,1 1,4,9 3,5,7,9,11 1,4,9";
+  EXPECT_EQ(debugged(loop), turn + turn + turn);
+}
 TEST(Formula, WhatIsDeclaredInOneTurnIsUsedInTheNext) {
   EXPECT_EQ(debugged("#declare A = 1; #while (A < 100) #declare A = A*2; #end #debug str(A, 0, 0)"), "128");
   EXPECT_EQ(
