@@ -66,7 +66,7 @@ std::size_t Interpreter::parse_subscripts(const Array& array, const Token& name)
   std::size_t index = 0;
   for (std::size_t dimension = 0; dimension < array.sizes.size(); ++dimension) {
     expect(Punctuation::left_bracket, "for each dimension of", name.text);
-    const Token at = peek();
+    const Token& at = peek();
     const double subscript = parse_float(*this);
     const double size = array.grows ? static_cast<double>(kMostElements) : array.sizes[dimension];
     if (!(subscript >= -kSmallestTrue && subscript + kSmallestTrue < size)) {
@@ -83,11 +83,11 @@ std::size_t Interpreter::parse_subscripts(const Array& array, const Token& name)
 Value Interpreter::parse_array() {
   auto array = std::make_shared<Array>();
   array->mixed = accept_word("mixed");
-  const Token owner = peek();
+  const Token& owner = peek();
   std::size_t total = 1;
   while (peek().is(Punctuation::left_bracket)) {
     take();
-    const Token at = peek();
+    const Token& at = peek();
     if (array->sizes.empty() && at.is(Punctuation::right_bracket)) {
       take();
       break;
@@ -156,7 +156,7 @@ bool Interpreter::next_is_left_out() {
 }
 
 void Interpreter::parse_element(Array& array, std::size_t element) {
-  const Token at = peek();
+  const Token& at = peek();
   Argument argument = parse_argument(false);
   check_element(array, argument.value, at.location);
   check_depth(1, argument.value, at.location);

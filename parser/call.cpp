@@ -52,7 +52,7 @@ bool at_call(Interpreter& in) {
 }
 
 Numbers parse_call(Interpreter& in) {
-  const Token name = in.peek();
+  const Token& name = in.peek();
   const Value callee = *in.peek_value();
   in.take();
   if (const auto* function = std::get_if<render::FunctionPtr>(&callee)) return call_function(in, name, **function);

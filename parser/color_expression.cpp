@@ -93,7 +93,7 @@ render::FilteredColor parse_color(Interpreter& in) {
   bool whole = false;
   if (in.peek().is(Keyword::color)) in.take();
   for (;;) {
-    const Token word = in.peek();
+    const Token& word = in.peek();
     const std::size_t component = word.kind == TokenKind::keyword ? component_of(word.keyword) : 5;
     const ColorWord* form = word.kind == TokenKind::keyword ? find_color_word(word.keyword) : nullptr;
     if (component < 5) {

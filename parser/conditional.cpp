@@ -192,7 +192,7 @@ void Interpreter::run_for(const Token& word, std::uint32_t hash) {
   reader.skip_comma();
   loop.end = reader.number();
   reader.skip_comma();
-  const Token at = peek();
+  const Token& at = peek();
   loop.step = reader.at_expression() ? reader.number() : 1.0;
   if (!(std::abs(loop.step) >= kSmallestTrue))
     fail(at.location, "expected a step that is not 0 for '#for', found " + describe(at));

@@ -198,7 +198,7 @@ void Interpreter::obey(const Token& word, std::uint32_t hash) {
 }
 
 void Interpreter::run_bare_directive() {
-  const Token word = take();
+  const Token& word = take();
   warn(word.location, "'" + std::string(word.text) + "' should be written '#" + std::string(word.text) + "'");
   const Nesting nesting(*this);
   switch (word.keyword) {
@@ -241,7 +241,7 @@ void Interpreter::run_undef(const Token& word) {
 }
 
 void Interpreter::run_include(const Token& word) {
-  const Token at = peek();
+  const Token& at = peek();
   const std::string name = parse_path(*this);
   unsettle();
   const SourceFiles::Result result = files_.read_include(name, *frames_.back().file->source);
@@ -307,7 +307,7 @@ const Token& Interpreter::take_identifier(const Token& word) {
 bool Interpreter::parse_defined() {
   expect(Punctuation::left_paren, "before the name");
   unsettle();
-  const Token name = take_raw();
+  const Token& name = take_raw();
   if (name.kind != TokenKind::identifier && name.kind != TokenKind::keyword) {
     fail(name.location, "expected an identifier, found " + describe(name));
   }

@@ -73,9 +73,9 @@ void Interpreter::run_fopen(const Token& word) {
     fail(name.location, "expected a name that is not declared yet after '#fopen', found " +
                             std::string(kind_name(*before->slot)) + " '" + std::string(name.text) + "'");
   }
-  const Token at = peek();
+  const Token& at = peek();
   const std::string path = parse_path(*this);
-  const Token mode = peek();
+  const Token& mode = peek();
   if (!mode.is(Keyword::read) && !mode.is(Keyword::write) && !mode.is(Keyword::append)) {
     fail(mode.location, "expected 'read', 'write' or 'append' after the name of the file, found " + describe_next());
   }
@@ -213,7 +213,7 @@ void Interpreter::run_write(const Token& word) {
   const std::shared_ptr<DataFile> file = take_data_file(word, handle);
   const Binary* binary = nullptr;
   while (!peek().is(Punctuation::right_paren)) {
-    const Token at = peek();
+    const Token& at = peek();
     if (at.is(Punctuation::comma)) {
       take();
       binary = nullptr;

@@ -70,7 +70,7 @@ double select(Interpreter& in, const Token& word) {
 // dimensions(A), dimension_size(A, n)
 double of_array(Interpreter& in, const Token& word) {
   Call call(in, word);
-  const Token name = in.peek();
+  const Token& name = in.peek();
   const Value* value = in.peek_value();
   const auto* held = value != nullptr ? std::get_if<std::shared_ptr<Array>>(value) : nullptr;
   if (held == nullptr) in.fail(name.location, "expected an array, found " + in.describe_next());

@@ -71,7 +71,7 @@ Vec3 parse_trace(Interpreter& in, const Token& word) {
 }
 
 bool parse_inside(Interpreter& in, const Token& word) {
-  const Token name = in.peek();
+  const Token& name = in.peek();
   const ObjectPtr object = take_object(in, word);
   if (object->patch) in.fail(name.location, "'inside' needs an object that has an inside");
   comma(in);

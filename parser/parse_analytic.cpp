@@ -19,7 +19,7 @@ using render::Vec3;
 namespace {
 
 int parse_order(Reader& reader, const Token& word) {
-  const Token at = reader.peek();
+  const Token& at = reader.peek();
   const int order = integer(reader, "order of " + quoted(word));
   if (order < PolynomialForm::kLowestOrder || order > PolynomialForm::kHighestOrder) {
     reader.fail(at, "the order of " + quoted(word) + " must be from 2 to 35");
@@ -47,7 +47,7 @@ PolynomialForm parse_coefficients(Reader& reader, const Token& word, int order) 
 
 /// `(i, j, k): value` behind `xyz`.
 void parse_term(Reader& reader, PolynomialForm& form) {
-  const Token at = reader.peek();
+  const Token& at = reader.peek();
   if (!reader.accept(Punctuation::left_paren)) reader.fail_expected("'(' and the three powers");
   std::array<int, 3> powers;
   for (int& power : powers) {
@@ -110,7 +110,7 @@ std::pair<double, double> parse_exponent(Reader& reader) {
 }
 
 void parse_slice(Reader& reader, JuliaFractalForm& form) {
-  const Token at = reader.peek();
+  const Token& at = reader.peek();
   form.slice_normal = finite_vector4(reader, "slice of 'julia_fractal'");
   reader.skip_comma();
   form.slice_distance = finite_number(reader, "slice of 'julia_fractal'");

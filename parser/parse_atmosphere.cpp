@@ -46,7 +46,7 @@ bool accept_fog_turbulence(Reader& reader, Fog& fog) {
 }
 
 bool accept_fog_item(Reader& reader, Fog& fog) {
-  const Token word = reader.peek();
+  const Token& word = reader.peek();
   if (reader.accept(Keyword::distance)) {
     fog.distance = finite_number(reader, "distance");
   } else if (reader.accept(Keyword::fog_type)) {
@@ -76,7 +76,7 @@ bool accept_fog_item(Reader& reader, Fog& fog) {
 
 /// Half of an angle from 0 to 360 degrees, in radians.
 double parse_half_angle(Reader& reader, const Token& word) {
-  const Token at = reader.peek();
+  const Token& at = reader.peek();
   const double angle = finite_number(reader, word.text);
   if (angle < 0.0 || angle > 360.0) reader.fail(at, quoted(word) + " must be from 0 to 360 degrees");
   return angle * (std::numbers::pi / 360.0);
@@ -89,7 +89,7 @@ struct RainbowDraft {
 
 bool accept_rainbow_item(Reader& reader, RainbowDraft& draft) {
   Rainbow& rainbow = draft.rainbow;
-  const Token word = reader.peek();
+  const Token& word = reader.peek();
   if (reader.accept(Keyword::angle)) {
     rainbow.angle = finite_number(reader, "angle");
   } else if (reader.accept(Keyword::direction)) {
@@ -172,7 +172,7 @@ SkySphere parse_sky_sphere(Reader& reader, SceneContext& context, const Token& w
   SkySphere sky;
   if (const auto declared = reader.accept_declared<SkySphere>()) sky = *declared;
   for (;;) {
-    const Token item = reader.peek();
+    const Token& item = reader.peek();
     if (reader.accept(Keyword::pigment)) {
       sky.pigments.push_back(parse_pigment(reader, context, item, render::Pigment()));
       if (sky.pigments.size() > kMostPigments) reader.fail(item, "a 'sky_sphere' has at most 1000 pigments");
@@ -204,7 +204,7 @@ void parse_background(Reader& reader, SceneContext& context, const Token& word) 
 }
 
 bool accept_atmosphere(Reader& reader, SceneContext& context) {
-  const Token word = reader.peek();
+  const Token& word = reader.peek();
   if (reader.accept(Keyword::background)) {
     parse_background(reader, context, word);
   } else if (reader.accept(Keyword::fog)) {

@@ -75,7 +75,7 @@ Component parse_cylinder_component(Reader& reader, SceneContext& context, const 
 void parse_blob(Reader& reader, SceneContext& context, const Token& word, Object& object) {
   BlobForm form;
   for (;;) {
-    const Token next = reader.peek();
+    const Token& next = reader.peek();
     if (reader.accept(Keyword::threshold)) {
       form.threshold = finite_number(reader, "threshold");
       continue;

@@ -15,7 +15,7 @@ namespace {
 Members parse_members(Reader& reader, SceneContext& context, const Token& word) {
   Members members;
   for (;;) {
-    const Token at = reader.peek();
+    const Token& at = reader.peek();
     auto member = parse_object(reader, context);
     if (!member) break;
     if (member->textured) reader.fail(at, "an object in " + quoted(word) + " cannot have a texture");
@@ -51,7 +51,7 @@ void parse_bounded_by(Reader& reader, SceneContext& context, const Token& word, 
   if (extras.bounds_are_clips)
     reader.fail(word, "bounds cannot be added after 'bounded_by' and 'clipped_by' were made one");
   if (reader.next_is(Keyword::clipped_by)) {
-    const Token at = reader.take();
+    const Token& at = reader.take();
     if (extras.bounded_by) reader.fail(at, "'clipped_by' cannot replace bounds that are there already");
     extras.bounded_by = extras.clipped_by;
     extras.bounds_are_clips = extras.clipped_by != nullptr;
@@ -67,7 +67,7 @@ void parse_clipped_by(Reader& reader, SceneContext& context, const Token& word, 
   if (extras.bounds_are_clips)
     reader.fail(word, "clips cannot be added after 'bounded_by' and 'clipped_by' were made one");
   if (reader.next_is(Keyword::bounded_by)) {
-    const Token at = reader.take();
+    const Token& at = reader.take();
     if (extras.clipped_by) reader.fail(at, "'bounded_by' cannot replace clips that are there already");
     extras.clipped_by = extras.bounded_by;
     extras.bounds_are_clips = extras.bounded_by != nullptr;

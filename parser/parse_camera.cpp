@@ -33,7 +33,7 @@ bool is_flat(CameraKind kind) { return kind == CameraKind::perspective || kind =
 
 /// What follows `angle`.
 void parse_angle(Reader& reader, Draft& draft) {
-  const Token at = reader.peek();
+  const Token& at = reader.peek();
   Camera& camera = draft.camera;
   if (camera.kind == CameraKind::spherical) {
     camera.horizontal_angle = finite_number(reader, "angle");
@@ -89,7 +89,7 @@ void parse_share(Reader& reader, const Token& word, bool closed, double& share) 
 }
 
 void parse_blur_samples(Reader& reader, render::FocalBlur& blur) {
-  const Token at = reader.peek();
+  const Token& at = reader.peek();
   const int first = integer(reader, "blur_samples");
   if (first <= 0) reader.fail(at, "'blur_samples' must be above 0");
   blur.samples = first;
@@ -107,7 +107,7 @@ void parse_blur_samples(Reader& reader, render::FocalBlur& blur) {
 void parse_bokeh(Reader& reader, SceneContext& context, const Token& word, render::FocalBlur& blur) {
   reader.open_block(word);
   while (reader.next_is(Keyword::pigment)) {
-    const Token pigment = reader.take();
+    const Token& pigment = reader.take();
     blur.bokeh = std::make_shared<const render::Pigment>(
         parse_pigment(reader, context, pigment, default_layer(context).pigment));
   }
@@ -117,7 +117,7 @@ void parse_bokeh(Reader& reader, SceneContext& context, const Token& word, rende
 /// Words about depth of field. False: the next word is none of them.
 bool accept_blur(Reader& reader, SceneContext& context, Draft& draft) {
   render::FocalBlur& blur = draft.camera.blur;
-  const Token word = reader.peek();
+  const Token& word = reader.peek();
   if (reader.accept(Keyword::aperture)) {
     draft.aperture_word = word;
     blur.aperture = finite_number(reader, "aperture");
@@ -159,7 +159,7 @@ bool accept_vector(Reader& reader, Draft& draft) {
 }
 
 bool accept_normal(Reader& reader, SceneContext& context, Draft& draft) {
-  const Token word = reader.peek();
+  const Token& word = reader.peek();
   if (!reader.accept(Keyword::normal)) return false;
   draft.normal_word = word;
   draft.camera.normal =
@@ -169,7 +169,7 @@ bool accept_normal(Reader& reader, SceneContext& context, Draft& draft) {
 
 /// The kind of camera. False: the next word names none.
 bool accept_kind(Reader& reader, SceneContext& context, Draft& draft) {
-  const Token word = reader.peek();
+  const Token& word = reader.peek();
   const auto kind = accept_camera_kind(reader, context, draft.camera.mesh);
   if (!kind) return false;
   draft.camera.kind = *kind;
@@ -183,7 +183,7 @@ void parse_unordered(Reader& reader, SceneContext& context, Draft& draft) {
   while (accept_kind(reader, context, draft)) {
   }
   for (;;) {
-    const Token word = reader.peek();
+    const Token& word = reader.peek();
     if (draft.camera.kind != CameraKind::mesh && reader.accept(Keyword::angle)) {
       parse_angle(reader, draft);
     } else if (reader.accept(Keyword::look_at)) {
@@ -211,7 +211,7 @@ void parse_unordered(Reader& reader, SceneContext& context, Draft& draft) {
 /// Before version 3.5 every word takes effect where it stands.
 void parse_in_order(Reader& reader, SceneContext& context, Draft& draft) {
   for (;;) {
-    const Token word = reader.peek();
+    const Token& word = reader.peek();
     if (accept_kind(reader, context, draft)) {
       if (draft.camera.kind == CameraKind::orthographic) render::widen_to_look_at(draft.camera);
     } else if (reader.accept(Keyword::angle)) {

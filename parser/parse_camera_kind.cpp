@@ -41,7 +41,7 @@ const Row* find_row(const Token& word) {
 }
 
 CameraKind parse_cylinder_type(Reader& reader) {
-  const Token at = reader.peek();
+  const Token& at = reader.peek();
   const int type = integer(reader, "type of 'cylinder'");
   if (type < 1 || type > 4) reader.fail(at, "the type of a 'cylinder' camera must be 1, 2, 3 or 4");
   return static_cast<CameraKind>(static_cast<int>(CameraKind::cylinder_1) + type - 1);
@@ -50,7 +50,7 @@ CameraKind parse_cylinder_type(Reader& reader) {
 std::vector<Object> parse_meshes(Reader& reader, SceneContext& context) {
   std::vector<Object> meshes;
   while (reader.next_is(Keyword::mesh) || reader.next_is(Keyword::mesh2)) {
-    const Token at = reader.peek();
+    const Token& at = reader.peek();
     auto mesh = parse_object(reader, context);
     if (!mesh || (mesh->word != "mesh" && mesh->word != "mesh2")) reader.fail(at, "expected a mesh here");
     meshes.push_back(std::move(*mesh));
@@ -94,7 +94,7 @@ MeshCamera parse_mesh_camera(Reader& reader, SceneContext& context, const Token&
 std::optional<CameraKind> accept_camera_kind(Reader& reader, SceneContext& context, MeshCamera& mesh) {
   const Row* row = find_row(reader.peek());
   if (row == nullptr) return std::nullopt;
-  const Token word = reader.take();
+  const Token& word = reader.take();
   if (row->kind == CameraKind::cylinder_1) return parse_cylinder_type(reader);
   if (row->kind == CameraKind::mesh) mesh = parse_mesh_camera(reader, context, word);
   return row->kind;

@@ -37,7 +37,7 @@ void parse_entry(Reader& reader, ColorMap& map) {
     map.push_back(first);
     return;
   }
-  const Token at = reader.peek();
+  const Token& at = reader.peek();
   const Numbers numbers = reader.expression();
   if (numbers.size == 5) {
     first.color = color_of(numbers);
@@ -64,7 +64,7 @@ ColorMap parse_color_map(Reader& reader, const Token& word) {
   }
   ColorMap map;
   while (reader.next_is(Punctuation::left_bracket)) {
-    const Token at = reader.take();
+    const Token& at = reader.take();
     parse_entry(reader, map);
     if (!reader.accept(Punctuation::right_bracket)) reader.fail_expected("']'");
     if (map.size() > kMaxEntries) reader.fail(at, "a 'color_map' has at most 256 entries");

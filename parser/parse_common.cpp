@@ -91,7 +91,7 @@ int integer(Reader& reader, std::string_view what, int low, int high) {
 void skip_block(Reader& reader, const Token& owner) {
   reader.open_block(owner);
   for (int depth = 0; depth > 0 || !reader.next_is(Punctuation::right_brace);) {
-    const Token next = reader.take();
+    const Token& next = reader.take();
     if (next.is_end()) reader.fail(owner, "no '}' closes " + quoted(owner));
     if (next.is(Punctuation::left_brace)) ++depth;
     if (next.is(Punctuation::right_brace)) --depth;

@@ -43,7 +43,7 @@ Object parse_csg(Reader& reader, SceneContext& context, const Token& word) {
   whole.kind = combining_kind(word.keyword);
   std::vector<Object> members;
   for (;;) {
-    const Token at = reader.peek();
+    const Token& at = reader.peek();
     auto member = parse_object(reader, context);
     if (!member) break;
     if (member->patch && whole.kind == Object::Kind::intersection) {
@@ -71,7 +71,7 @@ Object parse_light_group(Reader& reader, SceneContext& context, const Token& wor
   extras.unrendered.add(feature_use(render::Feature::light_group, word));
   std::vector<Object> members;
   for (;;) {
-    const Token at = reader.peek();
+    const Token& at = reader.peek();
     auto member = parse_object(reader, context);
     if (!member) break;
     add_member(reader, at, group, *member);
@@ -79,7 +79,7 @@ Object parse_light_group(Reader& reader, SceneContext& context, const Token& wor
   }
   group.children = std::make_shared<const std::vector<Object>>(std::move(members));
   for (;;) {
-    const Token next = reader.peek();
+    const Token& next = reader.peek();
     if (const auto transform = accept_transformation(reader)) {
       render::place(group, *transform);
     } else if (reader.accept(Keyword::global_lights)) {

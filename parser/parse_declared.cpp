@@ -23,7 +23,7 @@ Value shared(T value) {
 Value parse_textures(Reader& reader, SceneContext& context) {
   render::TexturePtr texture;
   while (reader.next_is(Keyword::texture)) {
-    const Token word = reader.take();
+    const Token& word = reader.take();
     texture = layered(reader, parse_texture(reader, context, word), texture);
   }
   return texture;
@@ -31,7 +31,7 @@ Value parse_textures(Reader& reader, SceneContext& context) {
 
 /// One thing said in `#default`. False: the next word is none.
 bool accept_default(Reader& reader, SceneContext& context) {
-  const Token word = reader.peek();
+  const Token& word = reader.peek();
   if (word.kind != TokenKind::keyword) return false;
   switch (word.keyword) {
     case Keyword::texture: {
@@ -82,7 +82,7 @@ bool accept_default(Reader& reader, SceneContext& context) {
 }  // namespace
 
 std::optional<Value> parse_declarable(Reader& reader, SceneContext& context) {
-  const Token word = reader.peek();
+  const Token& word = reader.peek();
   if (word.kind != TokenKind::keyword) return std::nullopt;
   switch (word.keyword) {
     case Keyword::texture:

@@ -41,10 +41,10 @@ Container parse_sphere_container(Reader& reader, const Token& word) {
 
 /// `contained_by { box { } }` or `{ sphere { } }`. False: the next word is another.
 bool accept_container(Reader& reader, Container& container) {
-  const Token word = reader.peek();
+  const Token& word = reader.peek();
   if (!reader.accept(Keyword::contained_by)) return false;
   reader.open_block(word);
-  const Token kind = reader.peek();
+  const Token& kind = reader.peek();
   if (reader.accept(Keyword::box)) {
     container = parse_box_container(reader, kind);
   } else if (reader.accept(Keyword::sphere)) {
@@ -55,7 +55,7 @@ bool accept_container(Reader& reader, Container& container) {
 }
 
 render::FunctionPtr parse_surface_function(Reader& reader, Object& object) {
-  const Token word = reader.peek();
+  const Token& word = reader.peek();
   if (!reader.accept(Keyword::function)) reader.fail_expected("'function'");
   render::FunctionPtr function = parse_function_block(reader, word);
   object.extras.change().unrendered.add(function->unrendered());

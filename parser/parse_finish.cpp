@@ -25,7 +25,7 @@ Rgb rgb(Reader& reader) { return color_or_black(reader).rgb; }
 
 /// The power for the reflected colour; scenes give its reciprocal.
 double parse_exponent(Reader& reader) {
-  const Token at = reader.peek();
+  const Token& at = reader.peek();
   const double value = finite_number(reader, "exponent");
   if (value == 0.0) reader.fail(at, "the exponent of a reflection cannot be 0");
   return 1.0 / value;
@@ -50,7 +50,7 @@ void parse_reflection(Reader& reader, const Token& word, Finish& finish) {
   finish.reflection_max = has_maximum ? rgb(reader) : finish.reflection_min;
   for (;;) {
     if (reader.accept(Keyword::fresnel)) {
-      const Token at = reader.peek();
+      const Token& at = reader.peek();
       const int flag = static_cast<int>(finite(reader, at, reader.optional_number(1.0), "fresnel"));
       if (flag < 0 || flag > 1) reader.fail(at, "'fresnel' must be on or off");
       finish.reflection_fresnel = flag == 1;
@@ -80,7 +80,7 @@ bool accept_highlight(Reader& reader, Draft& draft) {
     while (reader.accept(Keyword::albedo)) draft.specular_albedo = true;
     finish.specular = finite_number(reader, "specular");
   } else if (reader.next_is(Keyword::roughness)) {
-    const Token word = reader.take();
+    const Token& word = reader.take();
     finish.roughness_exponent = finite_number(reader, "roughness");
     if (finish.roughness_exponent != 0.0) {
       finish.roughness_exponent = 1.0 / finish.roughness_exponent;
@@ -98,15 +98,15 @@ bool accept_highlight(Reader& reader, Draft& draft) {
 /// Words that old scenes have in the finish.
 bool accept_legacy(Reader& reader, Finish& finish) {
   if (reader.next_is(Keyword::ior)) {
-    const Token word = reader.take();
+    const Token& word = reader.take();
     finish.legacy_ior = finite_number(reader, "ior");
     reader.warn(word, "'ior' belongs in 'interior'");
   } else if (reader.next_is(Keyword::refraction)) {
-    const Token word = reader.take();
+    const Token& word = reader.take();
     finish.legacy_refraction = finite_number(reader, "refraction");
     reader.warn(word, "'refraction' belongs in 'interior', and is not needed to make light bend");
   } else if (reader.next_is(Keyword::caustics)) {
-    const Token word = reader.take();
+    const Token& word = reader.take();
     finish.legacy_caustics = finite_number(reader, "caustics");
     finish.unrendered.add(feature_use(render::Feature::caustics, word));
     reader.warn(word, "'caustics' belongs in 'interior'");
@@ -149,7 +149,7 @@ void parse_subsurface(Reader& reader, const Token& word, Finish& finish) {
 }
 
 bool accept_effect(Reader& reader, Finish& finish) {
-  const Token word = reader.peek();
+  const Token& word = reader.peek();
   if (reader.accept(Keyword::crand)) {
     finish.crand = finite_number(reader, "crand");
     finish.unrendered.add(feature_use(render::Feature::crand, word));
@@ -181,7 +181,7 @@ bool accept_item(Reader& reader, Draft& draft) {
   } else if (reader.accept(Keyword::conserve_energy)) {
     finish.conserve_energy = true;
   } else if (reader.next_is(Keyword::reflection)) {
-    const Token word = reader.take();
+    const Token& word = reader.take();
     parse_reflection(reader, word, finish);
   } else if (reader.accept(Keyword::reflection_exponent)) {
     finish.reflection_exponent = parse_exponent(reader);

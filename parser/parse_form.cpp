@@ -16,7 +16,7 @@ using render::Vec3;
 using render::Vec4;
 
 int point_count(Reader& reader, int low, std::string_view what) {
-  const Token at = reader.peek();
+  const Token& at = reader.peek();
   const int count = integer(reader, what);
   if (count < low) reader.fail(at, fmt::format("expected at least {} {}, found {}", low, what, count));
   if (count > kMostPoints) reader.fail(at, fmt::format("expected at most {} {}, found {}", kMostPoints, what, count));
@@ -34,14 +34,14 @@ std::vector<Vec2> plane_points(Reader& reader, int count, const Token& word) {
 }
 
 Vec2 finite_vector2(Reader& reader, std::string_view what) {
-  const Token at = reader.peek();
+  const Token& at = reader.peek();
   const Vec2 value = reader.vector2();
   finite(reader, at, Vec3(value.x, value.y, 0.0), what);
   return value;
 }
 
 Vec4 finite_vector4(Reader& reader, std::string_view what) {
-  const Token at = reader.peek();
+  const Token& at = reader.peek();
   const Numbers numbers = parse_sum(reader.interpreter(), 4);
   if (numbers.size > 4) {
     reader.fail(at, "expected a 4D vector, found a " + std::string(kind_name(numbers)) + " expression");

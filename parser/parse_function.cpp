@@ -32,7 +32,7 @@ std::vector<std::string_view> parse_parameters(Reader& reader) {
   std::vector<std::string_view> names;
   if (!reader.accept(Punctuation::left_paren)) return {kCoordinates.begin(), kCoordinates.end()};
   do {
-    const Token name = reader.take();
+    const Token& name = reader.take();
     if (name.kind != TokenKind::identifier && !is_coordinate(name)) {
       reader.fail(name, "expected the name of a parameter, found " + describe(name));
     }
@@ -66,7 +66,7 @@ Body collect(Reader& reader, const Token& word, std::span<const std::string_view
   Body body;
   Interpreter& in = reader.interpreter();
   while (!reader.next_is(Punctuation::right_brace)) {
-    const Token token = reader.peek();
+    const Token& token = reader.peek();
     if (token.is_end()) break;
     if (body.tokens.size() == kMostBodyTokens) reader.fail(word, "the function is too large");
     FunctionName name;
@@ -115,7 +115,7 @@ render::FunctionPtr parse_internal(Reader& reader, const Token& word) {
 
 /// What may stand in a function's block instead of an expression. Null: none of it.
 render::FunctionPtr parse_special(Reader& reader, SceneContext& context) {
-  const Token word = reader.peek();
+  const Token& word = reader.peek();
   if (word.kind != TokenKind::keyword) return nullptr;
   switch (word.keyword) {
     case Keyword::internal:
@@ -146,7 +146,7 @@ render::FunctionPtr parse_function(Reader& reader, SceneContext& context, const 
   const bool has_list = reader.next_is(Punctuation::left_paren);
   const std::vector<std::string_view> parameters = parse_parameters(reader);
   reader.open_block(word);
-  const Token first = reader.peek();
+  const Token& first = reader.peek();
   render::FunctionPtr function = parse_special(reader, context);
   if (!function) {
     function = parse_expression(reader, word, parameters);

@@ -48,7 +48,7 @@ void parse_gamma(Reader& reader, ImageSource& source) {
     source.gamma = ImageSource::Gamma::srgb;
     return;
   }
-  const Token at = reader.peek();
+  const Token& at = reader.peek();
   source.gamma = ImageSource::Gamma::power;
   source.gamma_exponent = finite_number(reader, "gamma");
   if (source.gamma_exponent <= 0.0) reader.fail(at, "'gamma' must be positive");
@@ -64,7 +64,7 @@ void parse_function_image(Reader& reader, SceneContext& context, const Token& wo
 }
 
 ImageUse::Projection parse_map_type(Reader& reader) {
-  const Token at = reader.peek();
+  const Token& at = reader.peek();
   switch (integer(reader, "map_type")) {
     case 0:
       return ImageUse::Projection::planar;
@@ -80,7 +80,7 @@ ImageUse::Projection parse_map_type(Reader& reader) {
 }
 
 ImageUse::Interpolation parse_interpolation(Reader& reader, bool none_allowed) {
-  const Token at = reader.peek();
+  const Token& at = reader.peek();
   switch (integer(reader, "interpolate")) {
     case 2:
       return ImageUse::Interpolation::bilinear;
@@ -95,7 +95,7 @@ ImageUse::Interpolation parse_interpolation(Reader& reader, bool none_allowed) {
 }
 
 render::Vec2 parse_pair(Reader& reader, std::string_view what) {
-  const Token at = reader.peek();
+  const Token& at = reader.peek();
   const render::Vec2 pair = reader.vector2();
   finite(reader, at, render::Vec3(pair.x, pair.y, 0.0), what);
   return pair;
@@ -110,7 +110,7 @@ bool accept_placement(Reader& reader, ImageUse& image, bool strict) {
   } else if (reader.accept(Keyword::interpolate)) {
     image.interpolation = parse_interpolation(reader, !strict);
   } else if (reader.accept(Keyword::repeat)) {
-    const Token at = reader.peek();
+    const Token& at = reader.peek();
     image.repeat = parse_pair(reader, "repeat");
     if (image.repeat.x <= 0.0 || image.repeat.y <= 0.0) reader.fail(at, "'repeat' of a picture must be positive");
   } else if (reader.accept(Keyword::offset)) {
@@ -134,7 +134,7 @@ bool accept_part(Reader& reader, ImageUse& image) {
 
 /// `filter all n` or `filter entry, n`, and the same with `transmit`; `alpha` is an old word for `filter`.
 bool accept_palette(Reader& reader, ImageUse& image) {
-  const Token word = reader.peek();
+  const Token& word = reader.peek();
   const bool transmit = word.is(Keyword::transmit);
   if (!transmit && !word.is(Keyword::filter) && !word.is(Keyword::alpha)) return false;
   reader.take();
@@ -143,7 +143,7 @@ bool accept_palette(Reader& reader, ImageUse& image) {
     (transmit ? image.transmit_all : image.filter_all) = finite_number(reader, word.text);
     return true;
   }
-  const Token at = reader.peek();
+  const Token& at = reader.peek();
   ImageUse::PaletteChange change;
   change.entry = static_cast<int>(finite_number(reader, "entry of the palette") + 0.01);
   if (change.entry < 0 || change.entry > 65535) reader.fail(at, "a palette has no entry of this number");
@@ -160,7 +160,7 @@ ImageParameters shared(ImageUse image) { return {std::make_shared<const ImageUse
 }  // namespace
 
 std::string parse_file_name(Reader& reader, const std::vector<std::string>& extensions) {
-  const Token at = reader.peek();
+  const Token& at = reader.peek();
   return reader.interpreter().find_file(parse_path(reader.interpreter()), extensions, at.location);
 }
 
@@ -170,7 +170,7 @@ ImageSource parse_image_source(Reader& reader, SceneContext& context, bool has_g
     reader.warn(reader.peek(), "a vector before the format of a picture is ignored");
     reader.vector3();
   }
-  const Token word = reader.peek();
+  const Token& word = reader.peek();
   if (reader.accept(Keyword::function)) {
     parse_function_image(reader, context, word, source);
     return source;

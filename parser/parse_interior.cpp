@@ -24,23 +24,23 @@ bool accept_item(Reader& reader, SceneContext& context, Interior& interior) {
   } else if (reader.accept(Keyword::fade_color)) {
     interior.fade_color = color_or_black(reader).rgb;
   } else if (reader.next_is(Keyword::refraction)) {
-    const Token word = reader.take();
+    const Token& word = reader.take();
     interior.refraction_scale = finite_number(reader, "refraction");
     reader.warn(word, "'refraction' is not needed to make light bend");
   } else if (reader.next_is(Keyword::dispersion)) {
-    const Token word = reader.take();
+    const Token& word = reader.take();
     interior.dispersion = finite_number(reader, "dispersion");
     interior.unrendered.add(feature_use(render::Feature::dispersion, word));
   } else if (reader.accept(Keyword::dispersion_samples)) {
-    const Token at = reader.peek();
+    const Token& at = reader.peek();
     interior.dispersion_samples = integer(reader, "dispersion_samples");
     if (interior.dispersion_samples < 2) reader.fail(at, "'dispersion_samples' must be at least 2");
   } else if (reader.next_is(Keyword::caustics)) {
-    const Token word = reader.take();
+    const Token& word = reader.take();
     interior.caustics = finite_number(reader, "caustics");
     interior.unrendered.add(feature_use(render::Feature::caustics, word));
   } else if (reader.next_is(Keyword::media)) {
-    const Token word = reader.take();
+    const Token& word = reader.take();
     if (interior.media.size() >= kMostMedia) reader.fail(word, "an 'interior' has more than 1000 media");
     interior.media.push_back(parse_media(reader, context, word));
   } else {
@@ -70,13 +70,13 @@ void parse_material(Reader& reader, SceneContext& context, const Token& word, Ma
   }
   for (;;) {
     if (reader.next_is(Keyword::texture)) {
-      const Token inner = reader.take();
+      const Token& inner = reader.take();
       material.texture = layered(reader, parse_texture(reader, context, inner), material.texture);
     } else if (reader.next_is(Keyword::interior_texture)) {
-      const Token inner = reader.take();
+      const Token& inner = reader.take();
       material.interior_texture = layered(reader, parse_texture(reader, context, inner), material.interior_texture);
     } else if (reader.next_is(Keyword::interior)) {
-      const Token inner = reader.take();
+      const Token& inner = reader.take();
       material.interior =
           parse_interior(reader, context, inner, material.interior.value_or(render::Shared<Interior>()));
     } else if (const auto transform = accept_transformation(reader)) {

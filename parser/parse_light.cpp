@@ -32,7 +32,7 @@ void require(Reader& reader, const Token& word, bool met) {
 /// Words that choose the beam; the last one counts.
 bool accept_beam(Reader& reader, Draft& draft) {
   Light& light = draft.light;
-  const Token word = reader.peek();
+  const Token& word = reader.peek();
   if (reader.accept(Keyword::shadowless)) {
     light.shadowless = true;
     light.beam = Light::Beam::all;
@@ -63,7 +63,7 @@ bool accept_beam(Reader& reader, Draft& draft) {
 
 /// Words about the beam that has been chosen.
 bool accept_axis(Reader& reader, Light& light) {
-  const Token word = reader.peek();
+  const Token& word = reader.peek();
   if (reader.accept(Keyword::point_at)) {
     require(reader, word, has_axis(light));
     light.point_at = finite_vector(reader, "point_at");
@@ -81,7 +81,7 @@ bool accept_axis(Reader& reader, Light& light) {
 }
 
 int parse_size(Reader& reader) {
-  const Token at = reader.peek();
+  const Token& at = reader.peek();
   const int size = integer(reader, "size of 'area_light'");
   if (size < 1) reader.fail(at, "the sizes of 'area_light' must be above 0");
   return size;
@@ -105,7 +105,7 @@ void warn_without_area(Reader& reader, const Token& word, const Light& light) {
 
 bool accept_area(Reader& reader, Draft& draft) {
   Light& light = draft.light;
-  const Token word = reader.peek();
+  const Token& word = reader.peek();
   if (reader.accept(Keyword::area_light)) {
     draft.area_word = word;
     parse_area(reader, light);
@@ -141,7 +141,7 @@ std::shared_ptr<const Object> parse_inner_object(Reader& reader, SceneContext& c
 
 bool accept_object(Reader& reader, SceneContext& context, Draft& draft) {
   Light& light = draft.light;
-  const Token word = reader.peek();
+  const Token& word = reader.peek();
   if (reader.accept(Keyword::looks_like)) {
     if (light.looks_like) reader.fail(word, "a 'light_source' can have only one 'looks_like'");
     draft.looks_like_word = word;
@@ -167,7 +167,7 @@ render::Rgb sum_of(const render::ColorMap& map) {
 }
 
 bool accept_rest(Reader& reader, Light& light) {
-  const Token word = reader.peek();
+  const Token& word = reader.peek();
   if (reader.accept(Keyword::fade_distance)) {
     light.fade_distance = finite_number(reader, "fade_distance");
   } else if (reader.accept(Keyword::fade_power)) {

@@ -27,13 +27,13 @@ class DensityOwner final : public PatternOwner {
     density_.color = reader.color();
   }
   void parse_list(Reader& reader, SceneContext& context, std::size_t count) override {
-    const Token word = reader.peek();
+    const Token& word = reader.peek();
     set_densities(reader, word,
                   parse_block_list<Density>(reader, Keyword::density, count, Density(), false,
                                             [&](const Token& block) { return parse_density(reader, context, block); }));
   }
   void parse_item(Reader& reader, SceneContext& context) override {
-    const Token word = reader.peek();
+    const Token& word = reader.peek();
     set_densities(reader, word, single_entry(parse_density_contents(reader, context)));
   }
   bool accept_word(Reader& reader, SceneContext& context) override;
@@ -50,7 +50,7 @@ class DensityOwner final : public PatternOwner {
 };
 
 bool DensityOwner::accept_word(Reader& reader, SceneContext& context) {
-  const Token word = reader.peek();
+  const Token& word = reader.peek();
   if (reader.accept(Keyword::color_map)) {
     check_map_allowed(reader, word, density_.pattern, false);
     density_.map = parse_color_map(reader, word);
@@ -66,7 +66,7 @@ bool DensityOwner::accept_word(Reader& reader, SceneContext& context) {
 }
 
 int at_least(Reader& reader, std::string_view what, int least) {
-  const Token at = reader.peek();
+  const Token& at = reader.peek();
   const int value = integer(reader, what);
   if (value < least) reader.fail(at, "'" + std::string(what) + "' must be at least " + std::to_string(least));
   return value;
@@ -76,7 +76,7 @@ void parse_samples(Reader& reader, Media& media) {
   media.least_samples = media.most_samples = at_least(reader, "samples", 1);
   reader.skip_comma();
   if (!reader.at_number()) return;
-  const Token at = reader.peek();
+  const Token& at = reader.peek();
   media.most_samples = integer(reader, "samples");
   if (media.most_samples < media.least_samples) {
     reader.fail(at, "the second number of 'samples' must not be below the first");
@@ -86,7 +86,7 @@ void parse_samples(Reader& reader, Media& media) {
 /// `{ type, colour [eccentricity n] [extinction n] }`
 void parse_scattering(Reader& reader, const Token& word, Media& media) {
   reader.open_block(word);
-  const Token at = reader.peek();
+  const Token& at = reader.peek();
   int type = integer(reader, "type of 'scattering'");
   if (type < 1 || type > 5) {
     reader.warn(at, "the type of 'scattering' must be from 1 to 5; 1 is taken");
@@ -96,7 +96,7 @@ void parse_scattering(Reader& reader, const Token& word, Media& media) {
   reader.skip_comma();
   media.scattering = color_or_black(reader).rgb;
   for (;;) {
-    const Token next = reader.peek();
+    const Token& next = reader.peek();
     if (reader.accept(Keyword::eccentricity)) {
       if (media.scattering_type != Media::Scattering::henyey_greenstein) {
         reader.fail(next, "'eccentricity' is for scattering of type 5 only");
@@ -113,7 +113,7 @@ void parse_scattering(Reader& reader, const Token& word, Media& media) {
 
 /// Words about how it is sampled.
 bool accept_sampling(Reader& reader, Media& media) {
-  const Token word = reader.peek();
+  const Token& word = reader.peek();
   if (reader.accept(Keyword::intervals)) {
     media.intervals = at_least(reader, "intervals", 1);
   } else if (reader.accept(Keyword::samples)) {
@@ -144,7 +144,7 @@ bool accept_sampling(Reader& reader, Media& media) {
 }
 
 bool accept_item(Reader& reader, SceneContext& context, Media& media) {
-  const Token word = reader.peek();
+  const Token& word = reader.peek();
   if (reader.accept(Keyword::absorption)) {
     media.absorption = color_or_black(reader).rgb;
   } else if (reader.accept(Keyword::emission)) {

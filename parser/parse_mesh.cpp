@@ -25,7 +25,7 @@ TexturePtr declared_texture(Reader& reader) {
 /// `texture { T }`, or `texture_list { T1 T2 T3 }` for the three corners.
 void parse_triangle_textures(Reader& reader, Triangle& triangle) {
   for (;;) {
-    const Token word = reader.peek();
+    const Token& word = reader.peek();
     if (reader.accept(Keyword::texture)) {
       reader.open_block(word);
       triangle.textures.fill(declared_texture(reader));
@@ -89,7 +89,7 @@ bool has_area(const std::array<Vec3, 3>& corners) {
 }  // namespace
 
 Vec3 parse_mesh_normal(Reader& reader, bool& warned) {
-  const Token at = reader.peek();
+  const Token& at = reader.peek();
   const Vec3 normal = finite_vector(reader, "normal of a mesh");
   if (!same_point(normal, Vec3(0.0))) return normal;
   if (!warned) reader.warn(at, "a normal of a mesh is zero; it is taken as <1, 0, 0>");
@@ -108,7 +108,7 @@ void parse_mesh(Reader& reader, SceneContext&, const Token& word, Object& object
   std::optional<Vec3> inside_vector;
   bool warned = false;
   for (;;) {
-    const Token next = reader.peek();
+    const Token& next = reader.peek();
     Triangle triangle;
     if (reader.accept(Keyword::triangle)) {
       triangle = parse_flat_triangle(reader, next);

@@ -21,7 +21,7 @@ namespace {
 
 /// How many entries follow in the block that `word` opens.
 std::size_t parse_count(Reader& reader, const Token& word) {
-  const Token at = reader.peek();
+  const Token& at = reader.peek();
   const double count = finite_number(reader, "count in " + quoted(word));
   reader.skip_comma();
   if (count > static_cast<double>(kMostFaces)) {
@@ -32,7 +32,7 @@ std::size_t parse_count(Reader& reader, const Token& word) {
 
 /// Three places in a list of `size`.
 Corners parse_corners(Reader& reader, const Token& word, std::size_t size) {
-  const Token at = reader.peek();
+  const Token& at = reader.peek();
   const Vec3 places = finite_vector(reader, "index in " + quoted(word));
   reader.skip_comma();
   Corners corners;
@@ -71,7 +71,7 @@ class Mesh2 {
  private:
   bool accept_list() {
     if (texture_list_seen_) return false;
-    const Token word = reader_.peek();
+    const Token& word = reader_.peek();
     if (reader_.accept(Keyword::vertex_vectors)) {
       parse_vertices(word);
     } else if (reader_.accept(Keyword::normal_vectors)) {
@@ -136,7 +136,7 @@ class Mesh2 {
     reader_.open_block(word);
     const std::size_t count = parse_count(reader_, word);
     while (mesh_.textures.size() < count) {
-      const Token texture = reader_.peek();
+      const Token& texture = reader_.peek();
       if (!reader_.accept(Keyword::texture)) reader_.fail_expected("'texture'");
       mesh_.textures.push_back(parse_texture(reader_, context_, texture));
       reader_.skip_comma();
@@ -149,7 +149,7 @@ class Mesh2 {
     Corners textures = MeshForm::kNoCorners;
     std::size_t given = 0;
     while (given < 3 && reader_.at_number()) {
-      const Token at = reader_.peek();
+      const Token& at = reader_.peek();
       const int place = integer(reader_, "texture index");
       reader_.skip_comma();
       if (place < 0 || static_cast<std::size_t>(place) >= mesh_.textures.size()) {
@@ -165,7 +165,7 @@ class Mesh2 {
   }
 
   void parse_faces() {
-    const Token word = reader_.peek();
+    const Token& word = reader_.peek();
     if (!reader_.accept(Keyword::face_indices)) reader_.fail_expected("'face_indices'");
     reader_.open_block(word);
     const std::size_t count = parse_count(reader_, word);
@@ -178,7 +178,7 @@ class Mesh2 {
   }
 
   void parse_uv_indices() {
-    const Token word = reader_.take();
+    const Token& word = reader_.take();
     if (!mesh_.face_uvs.empty()) reader_.fail(word, "'mesh2' can have 'uv_indices' only once");
     reader_.open_block(word);
     if (parse_count(reader_, word) != mesh_.faces.size()) {
@@ -193,7 +193,7 @@ class Mesh2 {
   }
 
   void parse_normal_indices() {
-    const Token word = reader_.take();
+    const Token& word = reader_.take();
     if (normal_indices_seen_) reader_.fail(word, "'mesh2' can have 'normal_indices' only once");
     normal_indices_seen_ = true;
     reader_.open_block(word);

@@ -28,7 +28,7 @@ bool takes_hierarchy(const Object& object) {
 
 /// Takes a word that goes with some objects only, and its flag.
 bool parse_method(Reader& reader, bool allowed) {
-  const Token word = reader.take();
+  const Token& word = reader.take();
   if (!allowed) reader.fail(word, quoted(word) + " does not go with this object");
   return reader.optional_number(1.0) > 0.0;
 }
@@ -52,7 +52,7 @@ bool accept_flag(Reader& reader, Object& object) {
   } else if (reader.next_is(Keyword::hierarchy)) {
     object.hierarchy = parse_method(reader, takes_hierarchy(object));
   } else if (reader.next_is(Keyword::inverse)) {
-    const Token at = reader.take();
+    const Token& at = reader.take();
     if (object.patch) reader.warn(at, "'inverse' does nothing to a surface without an inside");
     object.inverted = !object.inverted;
   } else {
@@ -65,7 +65,7 @@ bool accept_flag(Reader& reader, Object& object) {
 bool accept_rare_modifier(Reader& reader, SceneContext& context, Object& object) {
   const Token& next = reader.peek();
   if (next.kind == TokenKind::identifier && at_color(reader)) {
-    const Token at = reader.peek();
+    const Token& at = reader.peek();
     reader.color();
     reader.warn(at, "a colour belongs in a pigment; it is ignored here");
     return true;
@@ -73,17 +73,17 @@ bool accept_rare_modifier(Reader& reader, SceneContext& context, Object& object)
   if (next.kind != TokenKind::keyword) return false;
   switch (next.keyword) {
     case Keyword::bounded_by: {
-      const Token word = reader.take();
+      const Token& word = reader.take();
       parse_bounded_by(reader, context, word, object);
       return true;
     }
     case Keyword::clipped_by: {
-      const Token word = reader.take();
+      const Token& word = reader.take();
       parse_clipped_by(reader, context, word, object);
       return true;
     }
     case Keyword::split_union: {
-      const Token word = reader.take();
+      const Token& word = reader.take();
       if (object.kind != Object::Kind::union_ && object.word != "text") {
         reader.fail(word, "'split_union' is for unions only");
       }
@@ -91,12 +91,12 @@ bool accept_rare_modifier(Reader& reader, SceneContext& context, Object& object)
       return true;
     }
     case Keyword::photons: {
-      const Token word = reader.take();
+      const Token& word = reader.take();
       parse_object_photons(reader, word, object.extras.change().photons);
       return true;
     }
     case Keyword::radiosity: {
-      const Token word = reader.take();
+      const Token& word = reader.take();
       if (const auto importance = parse_importance(reader, word)) {
         object.extras.change().radiosity_importance = importance;
       }
@@ -107,14 +107,14 @@ bool accept_rare_modifier(Reader& reader, SceneContext& context, Object& object)
       reader.string();
       return true;
     case Keyword::uv_mapping: {
-      const Token word = reader.take();
+      const Token& word = reader.take();
       if (object.texture) reader.fail(word, "'uv_mapping' must stand before the texture");
       object.uv_mapping = true;
       object.extras.change().unrendered.add(feature_use(render::Feature::uv_mapping, word));
       return true;
     }
     case Keyword::cutaway_textures: {
-      const Token word = reader.take();
+      const Token& word = reader.take();
       if (object.kind != Object::Kind::intersection) {
         reader.fail(word, "'cutaway_textures' is for 'intersection' and 'difference' only");
       }
@@ -126,7 +126,7 @@ bool accept_rare_modifier(Reader& reader, SceneContext& context, Object& object)
       reader.fail(reader.take(), "a 'light_source' cannot be a modifier of an object");
     default:
       if (!at_color(reader)) return false;
-      const Token at = reader.peek();
+      const Token& at = reader.peek();
       reader.color();
       reader.warn(at, "a colour belongs in a pigment; it is ignored here");
       return true;
@@ -139,7 +139,7 @@ std::optional<double> parse_importance(Reader& reader, const Token& word) {
   std::optional<double> importance;
   reader.open_block(word);
   while (reader.accept(Keyword::importance)) {
-    const Token at = reader.peek();
+    const Token& at = reader.peek();
     importance = reader.number();
     if (!(*importance > 0.0 && *importance <= 1.0)) reader.fail(at, "'importance' must be above 0 and at most 1");
   }

@@ -56,7 +56,7 @@ void NormalOwner::set_normals(Reader& reader, const Token& word, std::shared_ptr
 
 void NormalOwner::parse_list(Reader& reader, SceneContext& context, std::size_t count) {
   if (normal_.pattern.kind != PatternKind::object) normal_.accuracy = kDefaultAccuracy;
-  const Token word = reader.peek();
+  const Token& word = reader.peek();
   set_normals(
       reader, word,
       parse_block_list<Normal>(reader, Keyword::normal, count, start_of(context, nullptr), true,
@@ -64,12 +64,12 @@ void NormalOwner::parse_list(Reader& reader, SceneContext& context, std::size_t 
 }
 
 void NormalOwner::parse_item(Reader& reader, SceneContext& context) {
-  const Token word = reader.peek();
+  const Token& word = reader.peek();
   set_normals(reader, word, single_entry(parse_normal_contents(reader, context, nullptr)));
 }
 
 bool NormalOwner::accept_word(Reader& reader, SceneContext& context) {
-  const Token word = reader.peek();
+  const Token& word = reader.peek();
   if (reader.accept(Keyword::accuracy)) {
     normal_.accuracy = finite_number(reader, "accuracy");
   } else if (reader.accept(Keyword::bump_size)) {
@@ -110,7 +110,7 @@ PatternKind old_kind(Keyword word) {
 }  // namespace
 
 bool accept_bare_normal(Reader& reader, SceneContext& context, Normal& normal) {
-  const Token word = reader.peek();
+  const Token& word = reader.peek();
   if (reader.accept(Keyword::frequency)) {
     normal.pattern.wave.frequency = finite_number(reader, "frequency");
     return true;
@@ -131,7 +131,7 @@ bool accept_bare_normal(Reader& reader, SceneContext& context, Normal& normal) {
 
 std::shared_ptr<const render::SlopeMap> parse_slope_map(Reader& reader, const Token& word) {
   return parse_blend_map<render::SlopePoint>(reader, word, Feature::slope_map, false, [&] {
-    const Token at = reader.peek();
+    const Token& at = reader.peek();
     const render::Vec2 point = reader.vector2();
     finite(reader, at, render::Vec3(point.x, point.y, 0.0), "entry of 'slope_map'");
     return render::SlopePoint{point.x, point.y};
@@ -152,7 +152,7 @@ Normal parse_normal_contents(Reader& reader, SceneContext& context, const Normal
     normal = start_of(context, start);
   }
   NormalOwner owner(normal);
-  const Token word = reader.peek();
+  const Token& word = reader.peek();
   parse_pattern(reader, context, owner);
   if (normal.pattern.kind == PatternKind::none) reader.warn(word, "'normal' has no pattern as its first item");
   return normal;

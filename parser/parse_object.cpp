@@ -41,7 +41,7 @@ ShapeWord shape_word(Keyword word) {
 }
 
 std::optional<Object> parse_shape(Reader& reader, SceneContext& context, const ShapeWord& shape) {
-  const Token word = reader.take();
+  const Token& word = reader.take();
   reader.open_block(word);
   std::optional<Object> result = accept_declared_object(reader);
   if (result) {
@@ -77,7 +77,7 @@ void add_name(Object& object, std::string_view name) {
 
 /// `object { any object, modifiers }`
 Object parse_wrapped(Reader& reader, SceneContext& context) {
-  const Token word = reader.take();
+  const Token& word = reader.take();
   reader.open_block(word);
   auto object = parse_object(reader, context);
   if (!object) reader.fail_expected("an object");
@@ -88,7 +88,7 @@ Object parse_wrapped(Reader& reader, SceneContext& context) {
 }  // namespace
 
 std::optional<Object> accept_declared_object(Reader& reader) {
-  const Token name = reader.peek();
+  const Token& name = reader.peek();
   const auto declared = reader.accept_declared<Object>();
   if (!declared) return std::nullopt;
   Object object = *declared;
@@ -110,15 +110,15 @@ std::optional<Object> parse_object(Reader& reader, SceneContext& context) {
     case Keyword::merge:
     case Keyword::intersection:
     case Keyword::difference: {
-      const Token word = reader.take();
+      const Token& word = reader.take();
       return parse_csg(reader, context, word);
     }
     case Keyword::light_group: {
-      const Token word = reader.take();
+      const Token& word = reader.take();
       return parse_light_group(reader, context, word);
     }
     case Keyword::light_source: {
-      const Token word = reader.take();
+      const Token& word = reader.take();
       return parse_light(reader, context, word);
     }
     default:

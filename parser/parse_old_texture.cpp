@@ -20,7 +20,7 @@ bool accept_normal(Reader& reader, SceneContext& context, render::TextureLayer& 
 }  // namespace
 
 bool accept_old_words(Reader& reader, SceneContext& context, render::TextureLayer& layer) {
-  const Token word = reader.peek();
+  const Token& word = reader.peek();
   if (accept_bare_pigment(reader, context, layer.pigment) || accept_normal(reader, context, layer) ||
       accept_bare_finish(reader, layer.finish.change())) {
     return true;

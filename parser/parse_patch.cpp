@@ -10,7 +10,7 @@ namespace {
 
 /// The old form: type, flatness of some types, steps, without words.
 void parse_wordless(Reader& reader, BicubicPatchForm& form) {
-  const Token at = reader.peek();
+  const Token& at = reader.peek();
   if (language_version(reader) >= 150) reader.warn(at, "the numbers of 'bicubic_patch' should have their words");
   form.type = integer(reader, "type");
   form.flatness = form.type == 2 || form.type == 3 ? finite_number(reader, "flatness") : 0.1;

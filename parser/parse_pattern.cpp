@@ -47,7 +47,7 @@ bool accept_flag(Reader& reader, Patterning& pattern) {
     return true;
   }
   if (!reader.accept(Keyword::noise_generator)) return false;
-  const Token at = reader.peek();
+  const Token& at = reader.peek();
   const int generator = integer(reader, "noise_generator");
   if (generator < 0 || generator > 3) reader.fail(at, "'noise_generator' must be 0, 1, 2 or 3");
   pattern.noise_generator |= generator;  // a second one adds its bits to the first, as in POV-Ray
@@ -69,7 +69,7 @@ bool accept_modifier(Reader& reader, SceneContext& context, PatternOwner& owner)
 }  // namespace
 
 void parse_pattern(Reader& reader, SceneContext& context, PatternOwner& owner) {
-  const Token word = reader.peek();
+  const Token& word = reader.peek();
   if (at_color(reader)) {
     if (owner.place() != PatternPlace::pigment && owner.place() != PatternPlace::density) {
       reader.fail(word, "a colour is for 'pigment' and 'density' only");

@@ -30,7 +30,7 @@ void parse_fractal_type(Reader& reader, const Token& word, Patterning& pattern, 
   auto& fractal =
       parameters_for<render::FractalParameters>(reader, word, pattern, "'mandel', 'julia', 'magnet' and 'pavement'");
   const int most = exterior ? 8 : 6;
-  const Token at = reader.peek();
+  const Token& at = reader.peek();
   const int type = integer(reader, word.text);
   if (type < 0 || type > most) reader.fail(at, quoted(word) + " must be a type from 0 to " + std::to_string(most));
   (exterior ? fractal.exterior_type : fractal.interior_type) = type;
@@ -97,7 +97,7 @@ void parse_pavement_check(Reader& reader, const Token& word, PavementParameters 
 
 bool accept_pattern_parameter(Reader& reader, Patterning& pattern) {
   using namespace render;
-  const Token word = reader.peek();
+  const Token& word = reader.peek();
   if (word.kind != TokenKind::keyword) return false;
   const auto take = [&](auto parse, auto... arguments) {
     reader.take();

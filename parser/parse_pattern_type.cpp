@@ -26,7 +26,7 @@ namespace {
 int parse_iterations(Reader& reader) { return integer(reader, "number of iterations"); }
 
 Vec2 parse_start(Reader& reader) {
-  const Token at = reader.peek();
+  const Token& at = reader.peek();
   const Vec2 start = reader.vector2();
   finite(reader, at, Vec3(start.x, start.y, 0.0), "start of 'julia'");
   reader.skip_comma();
@@ -51,7 +51,7 @@ FractalParameters parse_julia(Reader& reader) {
 FractalParameters parse_magnet(Reader& reader) {
   FractalParameters fractal;
   fractal.exponent = 0;
-  const Token at = reader.peek();
+  const Token& at = reader.peek();
   fractal.magnet = integer(reader, "type of 'magnet'");
   if (reader.accept(Keyword::julia)) {
     fractal.julia = true;
@@ -71,7 +71,7 @@ double optional(Reader& reader, std::string_view what) {
 
 /// The two ends of a range; none is left of equal ones.
 void parse_range(Reader& reader, std::string_view what, double& low, double& high) {
-  const Token at = reader.peek();
+  const Token& at = reader.peek();
   low = optional(reader, what);
   high = optional(reader, what);
   if (high == 0.0 || low != high) return;
@@ -89,7 +89,7 @@ SlopeParameters parse_slope(Reader& reader, const Token& word) {
     slope.direction = finite_vector(reader, "direction of 'slope'");
     parse_range(reader, "range of slopes", slope.low, slope.high);
     while (reader.next_is(Keyword::altitude)) {
-      const Token altitude = reader.take();
+      const Token& altitude = reader.take();
       if (slope.to_point) reader.fail(altitude, "'altitude' does not go with 'point_at'");
       slope.altitude = finite_vector(reader, "direction of 'altitude'");
       parse_range(reader, "range of altitudes", slope.low_altitude, slope.high_altitude);

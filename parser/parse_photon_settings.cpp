@@ -51,7 +51,7 @@ void parse_media_steps(Reader& reader, const Token& word, PhotonSettings& settin
 }
 
 bool accept_item(Reader& reader, PhotonSettings& settings) {
-  const Token word = reader.peek();
+  const Token& word = reader.peek();
   if (reader.accept(Keyword::spacing)) {
     settings.spacing = finite_number(reader, "spacing");
   } else if (reader.accept(Keyword::count)) {

@@ -41,7 +41,7 @@ void settle(Reader& reader, const Token& word, PhotonRole& role) {
 void parse_object_photons(Reader& reader, const Token& word, PhotonRole& role) {
   reader.open_block(word);
   for (;;) {
-    const Token item = reader.peek();
+    const Token& item = reader.peek();
     if (reader.accept(Keyword::target)) {
       role.target = std::max(0.0, reader.optional_number(1.0));
     } else if (reader.accept(Keyword::pass_through)) {

@@ -59,7 +59,7 @@ void PigmentOwner::parse_list(Reader& reader, SceneContext& context, std::size_t
     }
     return;
   }
-  const Token word = reader.peek();
+  const Token& word = reader.peek();
   const Pigment& missing = default_layer(context).pigment;
   auto list = parse_block_list<Pigment>(reader, Keyword::pigment, count, missing, false, [&](const Token& block) {
     return parse_pigment(reader, context, block, missing);
@@ -75,13 +75,13 @@ void PigmentOwner::parse_list(Reader& reader, SceneContext& context, std::size_t
 }
 
 void PigmentOwner::parse_item(Reader& reader, SceneContext& context) {
-  const Token word = reader.peek();
+  const Token& word = reader.peek();
   set_pigments(reader, word,
                single_entry(parse_pigment_contents(reader, context, word, default_layer(context).pigment)));
 }
 
 bool PigmentOwner::accept_word(Reader& reader, SceneContext& context) {
-  const Token word = reader.peek();
+  const Token& word = reader.peek();
   if (reader.accept(Keyword::color_map)) {
     check_map_allowed(reader, word, pigment_.pattern, false);
     pigment_.map = parse_color_map(reader, word);
@@ -126,7 +126,7 @@ bool is_old_pattern(Keyword word) {
 
 bool accept_bare_pigment(Reader& reader, SceneContext& context, Pigment& pigment) {
   PigmentOwner owner(pigment);
-  const Token word = reader.peek();
+  const Token& word = reader.peek();
   if (at_color(reader)) {
     owner.parse_color(reader);
   } else if (word.kind == TokenKind::keyword && is_old_pattern(word.keyword)) {

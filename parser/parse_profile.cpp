@@ -34,7 +34,7 @@ bool accept_spline(Reader& reader, ProfileSpline& spline) {
 
 /// A number of points that goes with the spline. `fewest`: of linear, quadratic and cubic ones.
 int curve_count(Reader& reader, const Token& word, ProfileSpline spline, const int (&fewest)[3]) {
-  const Token at = reader.peek();
+  const Token& at = reader.peek();
   const bool bezier = spline == ProfileSpline::bezier;
   const int low = bezier ? 4 : fewest[static_cast<int>(spline)];
   const int count = point_count(reader, low, "points of " + quoted(word));

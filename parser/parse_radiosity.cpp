@@ -18,7 +18,7 @@ constexpr int kDirectionPool = 1600;
 
 /// A number that must be above 0, and at most `high`.
 double positive(Reader& reader, const Token& word, double high = 1e300) {
-  const Token at = reader.peek();
+  const Token& at = reader.peek();
   const double value = finite_number(reader, word.text);
   if (value <= 0.0) reader.fail(at, quoted(word) + " must be above 0");
   if (value > high) reader.fail(at, fmt::format("{} must be at most {}", quoted(word), high));
@@ -32,7 +32,7 @@ void parse_count(Reader& reader, const Token& word, RadiositySettings& settings)
   if (settings.count < 1) reader.fail(word, "'count' must be above 0");
   reader.skip_comma();
   const int pool = std::max(kDirectionPool, settings.count);
-  const Token at = reader.peek();
+  const Token& at = reader.peek();
   settings.direction_pool_size = reader.at_number() ? integer(reader, "count") : pool;
   if (settings.direction_pool_size < settings.count) {
     reader.fail(at, "the second number of 'count' must not be smaller than the first");
@@ -40,7 +40,7 @@ void parse_count(Reader& reader, const Token& word, RadiositySettings& settings)
 }
 
 void parse_nearest_count(Reader& reader, RadiositySettings& settings) {
-  const Token at = reader.peek();
+  const Token& at = reader.peek();
   settings.nearest_count = integer(reader, "nearest_count");
   if (settings.nearest_count < 1 || settings.nearest_count > kMostNearest) {
     reader.fail(at, fmt::format("'nearest_count' must be from 1 to {}", kMostNearest));
@@ -60,13 +60,13 @@ void parse_file(Reader& reader, const Token& word) {
 
 /// What bounds the work.
 bool accept_limit(Reader& reader, RadiositySettings& settings) {
-  const Token word = reader.peek();
+  const Token& word = reader.peek();
   if (reader.accept(Keyword::count)) {
     parse_count(reader, word, settings);
   } else if (reader.accept(Keyword::nearest_count)) {
     parse_nearest_count(reader, settings);
   } else if (reader.accept(Keyword::recursion_limit)) {
-    const Token at = reader.peek();
+    const Token& at = reader.peek();
     settings.recursion_limit = integer(reader, "recursion_limit");
     if (settings.recursion_limit < 1 || settings.recursion_limit > kDeepestRecursion) {
       reader.fail(at, fmt::format("'recursion_limit' must be from 1 to {}", kDeepestRecursion));
@@ -87,7 +87,7 @@ bool accept_limit(Reader& reader, RadiositySettings& settings) {
 
 /// What the light is like.
 bool accept_quality(Reader& reader, RadiositySettings& settings) {
-  const Token word = reader.peek();
+  const Token& word = reader.peek();
   if (reader.accept(Keyword::brightness)) {
     settings.brightness = positive(reader, word);
   } else if (reader.accept(Keyword::error_bound)) {

@@ -15,7 +15,7 @@ using render::Object;
 namespace {
 
 void parse_scene_camera(Reader& reader, SceneContext& context) {
-  const Token word = reader.take();
+  const Token& word = reader.take();
   if (language_version(reader) >= 350) {
     if (context.builder.has_camera()) reader.warn(word, "more than one camera in the scene; the last one counts");
     context.camera = context.default_camera;
@@ -25,7 +25,7 @@ void parse_scene_camera(Reader& reader, SceneContext& context) {
 }
 
 void parse_top_object(Reader& reader, SceneContext& context) {
-  const Token at = reader.peek();
+  const Token& at = reader.peek();
   if (at.is(Punctuation::right_brace)) {
     reader.interpreter().fail_unbalanced(at.location, "expected an object or a directive, found '}'");
   }
@@ -52,7 +52,7 @@ void parse_statement(Reader& reader, SceneContext& context) {
       reader.take();
       return parse_default(reader, context);
     case Keyword::max_trace_level: {
-      const Token word = reader.take();
+      const Token& word = reader.take();
       reader.warn(word, "'max_trace_level' belongs in 'global_settings'");
       return parse_max_trace_level(reader, context, word);
     }
@@ -82,7 +82,7 @@ void parse_scene(Reader& reader, SceneContext& context) {
     }
   }
   if (interpreter.has_failed()) return;
-  const Token end = reader.peek();
+  const Token& end = reader.peek();
   if (!context.builder.has_camera()) {
     reader.warn(end, "there is no camera in the scene; the default one is taken");
     context.builder.set_camera(context.default_camera);

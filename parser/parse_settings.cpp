@@ -19,7 +19,7 @@ void parse_assumed_gamma(Reader& reader, const Token& word) {
   render::WorkingGamma gamma = render::WorkingGamma::srgb;
   double exponent = 1.0;
   if (!reader.accept(Keyword::srgb)) {
-    const Token at = reader.peek();
+    const Token& at = reader.peek();
     exponent = finite_number(reader, "assumed_gamma");
     if (exponent <= 0.0) reader.fail(at, "'assumed_gamma' must be above 0");
     if (exponent < 1.0) reader.warn(at, fmt::format("'assumed_gamma' is {}; was {} meant?", exponent, 1.0 / exponent));
@@ -56,7 +56,7 @@ void parse_subsurface(Reader& reader, const Token& word, render::SubsurfaceSetti
 
 /// Settings of single surfaces, patterns and strings.
 bool accept_detail(Reader& reader, render::Settings& settings) {
-  const Token word = reader.peek();
+  const Token& word = reader.peek();
   if (reader.accept(Keyword::number_of_waves)) {
     settings.number_of_waves = integer(reader, "number_of_waves");
     if (settings.number_of_waves <= 0) {
@@ -64,7 +64,7 @@ bool accept_detail(Reader& reader, render::Settings& settings) {
       settings.number_of_waves = 1;
     }
   } else if (reader.accept(Keyword::noise_generator)) {
-    const Token at = reader.peek();
+    const Token& at = reader.peek();
     const int generator = integer(reader, "noise_generator");
     if (generator < 1 || generator > 3) reader.fail(at, "'noise_generator' must be 1, 2 or 3");
     reader.interpreter().language().set_noise_generator(generator);

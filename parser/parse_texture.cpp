@@ -44,7 +44,7 @@ class Draft {
 
 /// If the next word is `pigment`, `normal` or `finish`: takes its block, which alters the top layer.
 bool accept_part(Reader& reader, SceneContext& context, Draft& draft) {
-  const Token word = reader.peek();
+  const Token& word = reader.peek();
   if (reader.accept(Keyword::pigment)) {
     draft.change_top().pigment = parse_pigment(reader, context, word, draft.top().pigment);
   } else if (reader.accept(Keyword::finish)) {
@@ -133,7 +133,7 @@ class Untinted {
 
 /// A texture that is one layer made of textures can be neither over nor under another.
 void check_layers(Reader& reader, const TexturePtr& upper, const TexturePtr& lower) {
-  const Token at = reader.peek();
+  const Token& at = reader.peek();
   if (lower && upper->layers.size() + lower->layers.size() > kMaxLayers) {
     reader.fail(at, "a texture cannot have more than " + std::to_string(kMaxLayers) + " layers");
   }
@@ -196,7 +196,7 @@ void settle(TexturePtr& texture, Transform& placement) {
 }
 
 void parse_object_texture(Reader& reader, SceneContext& context, TexturePtr& texture, Transform& placement) {
-  const Token word = reader.take();
+  const Token& word = reader.take();
   const TexturePtr upper = parse_texture(reader, context, word);
   settle(texture, placement);
   texture = layered(reader, upper, texture);
@@ -205,7 +205,7 @@ void parse_object_texture(Reader& reader, SceneContext& context, TexturePtr& tex
 void parse_object_parts(Reader& reader, SceneContext& context, Object& object) {
   settle(object.texture, object.texture_placement);
   if (object.texture && object.texture->layers.front().patterned) {
-    const Token word = reader.peek();
+    const Token& word = reader.peek();
     reader.fail(word, quoted(word) + " cannot alter a texture that is made of textures");
   }
   Draft draft(object.texture ? object.texture : context.default_texture);
@@ -215,7 +215,7 @@ void parse_object_parts(Reader& reader, SceneContext& context, Object& object) {
 }
 
 void parse_object_material(Reader& reader, SceneContext& context, Object& object) {
-  const Token word = reader.take();
+  const Token& word = reader.take();
   render::ObjectExtras& extras = object.extras.change();
   settle(object.texture, object.texture_placement);
   settle(extras.interior_texture, extras.interior_texture_placement);
@@ -259,7 +259,7 @@ bool accept_surface_modifier(Reader& reader, SceneContext& context, Object& obje
       parse_object_parts(reader, context, object);
       break;
     case Keyword::interior: {
-      const Token word = reader.take();
+      const Token& word = reader.take();
       auto& interior = object.extras.change().interior;
       interior = parse_interior(reader, context, word, interior.value_or(render::Shared<render::Interior>()));
       break;

@@ -23,18 +23,18 @@ class TextureOwner final : public PatternOwner {
   render::Patterning& change_pattern() override { return texture_.pattern; }
   void parse_color(Reader&) override {}
   void parse_list(Reader& reader, SceneContext& context, std::size_t count) override {
-    const Token word = reader.peek();
+    const Token& word = reader.peek();
     auto list = parse_block_list<TexturePtr>(reader, Keyword::texture, count, context.default_texture, false,
                                              [&](const Token& block) { return parse_texture(reader, context, block); });
     list->unrendered.add(feature_use(Feature::texture_list, word));
     set_textures(reader, word, std::move(list));
   }
   void parse_item(Reader& reader, SceneContext& context) override {
-    const Token word = reader.peek();
+    const Token& word = reader.peek();
     set_textures(reader, word, single_entry(parse_texture_contents(reader, context)));
   }
   bool accept_word(Reader& reader, SceneContext& context) override {
-    const Token word = reader.peek();
+    const Token& word = reader.peek();
     if (!reader.accept(Keyword::texture_map)) return false;
     check_map_allowed(reader, word, texture_.pattern, true);
     set_textures(reader, word, parse_texture_map(reader, context, word, texture_.pattern.kind == PatternKind::average));
@@ -63,7 +63,7 @@ TexturePtr parse_layers(Reader& reader, SceneContext& context) {
   if (!reader.next_is(Keyword::texture)) reader.fail_expected("'texture'");
   TexturePtr texture;
   while (reader.next_is(Keyword::texture)) {
-    const Token word = reader.take();
+    const Token& word = reader.take();
     texture = layered(reader, parse_texture(reader, context, word), texture);
   }
   return texture;
@@ -101,7 +101,7 @@ TexturePtr parse_material_map(Reader& reader, SceneContext& context, const Token
   if (!reader.next_is(Keyword::texture)) reader.fail_expected("'texture'");
   auto map = std::make_shared<TextureMap>();
   while (reader.next_is(Keyword::texture)) {
-    const Token at = reader.take();
+    const Token& at = reader.take();
     if (map->entries.size() >= kMostMaterials) reader.fail(at, "a 'material_map' has too many textures");
     append(*map, static_cast<double>(map->entries.size()), parse_texture(reader, context, at));
   }
@@ -120,7 +120,7 @@ std::shared_ptr<const TextureMap> parse_texture_map(Reader& reader, SceneContext
 }
 
 TexturePtr parse_texture_pattern(Reader& reader, SceneContext& context) {
-  const Token word = reader.peek();
+  const Token& word = reader.peek();
   if (reader.accept(Keyword::tiles)) return parse_tiles(reader, context, word);
   if (reader.accept(Keyword::material_map)) return parse_material_map(reader, context, word);
   TexturePattern pattern;

@@ -14,7 +14,7 @@ using render::Transform;
 using render::Vec3;
 
 Transform parse_scale(Reader& reader) {
-  const Token at = reader.peek();
+  const Token& at = reader.peek();
   Vec3 factors = finite(reader, at, reader.vector3(), "scale");
   for (int axis = 0; axis < 3; ++axis) {
     if (factors[axis] != 0.0) continue;
@@ -26,7 +26,7 @@ Transform parse_scale(Reader& reader) {
 
 /// `<` twelve numbers `>`: four rows of three; the fourth moves.
 Transform parse_matrix(Reader& reader) {
-  const Token at = reader.peek();
+  const Token& at = reader.peek();
   if (!reader.accept(Punctuation::less)) reader.fail_expected("'<' and twelve numbers");
   Mat4 matrix;
   for (int row = 0; row < 4; ++row) {
@@ -66,7 +66,7 @@ std::optional<Transform> accept_transformation(Reader& reader) {
       reader.take();
       return parse_matrix(reader);
     case Keyword::transform: {
-      const Token word = reader.take();
+      const Token& word = reader.take();
       return parse_transform(reader, word);
     }
     default:

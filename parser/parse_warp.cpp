@@ -81,7 +81,7 @@ render::PlanarWarp parse_planar(Reader& reader) {
 }
 
 RepeatWarp parse_repeat(Reader& reader) {
-  const Token at = reader.peek();
+  const Token& at = reader.peek();
   const Vec3 width = finite_vector(reader, "repeat");
   const auto is_axis = [&](int axis) { return width[axis] != 0.0; };
   if (is_axis(0) + is_axis(1) + is_axis(2) != 1) reader.fail(at, "'repeat' goes along one axis, x, y or z");
@@ -119,7 +119,7 @@ void fit_into_block(Reader& reader, const Token& at, BlackHoleWarp& hole) {
 }
 
 BlackHoleWarp parse_black_hole(Reader& reader) {
-  const Token at = reader.peek();
+  const Token& at = reader.peek();
   BlackHoleWarp hole;
   hole.center = finite_vector(reader, "black_hole");
   reader.skip_comma();
@@ -187,7 +187,7 @@ render::Warp parse_kind(Reader& reader, const Token& kind, Feature& feature) {
 
 void parse_warp(Reader& reader, const Token& word, Warps& warps) {
   reader.open_block(word);
-  const Token kind = reader.take();
+  const Token& kind = reader.take();
   Feature feature{};
   warps.steps.push_back(parse_kind(reader, kind, feature));
   warps.unrendered.add(feature_use(feature, kind));
@@ -203,13 +203,13 @@ bool accept_warp(Reader& reader, Warps& warps) {
   if (next.kind != TokenKind::keyword) return false;
   switch (next.keyword) {
     case Keyword::warp: {
-      const Token word = reader.take();
+      const Token& word = reader.take();
       if (warps.steps.size() >= kMostSteps) reader.fail(word, "a pattern has more than 1000 warps");
       parse_warp(reader, word, warps);
       return true;
     }
     case Keyword::turbulence: {
-      const Token word = reader.take();
+      const Token& word = reader.take();
       if (!warps.turbulence) warps.turbulence.emplace();
       warps.turbulence->amount = finite_vector(reader, "turbulence");
       if (warps.turbulence->amount != Vec3(0.0)) warps.unrendered.add(feature_use(Feature::turbulence, word));

@@ -8,30 +8,7 @@
 
 namespace firstlight::parser {
 
-Reader::Reader(Interpreter& interpreter) : interpreter_(interpreter) {}
-
-const Token& Reader::peek() { return interpreter_.peek(); }
-Token Reader::take() { return interpreter_.take(); }
-bool Reader::next_is(Keyword word) { return peek().is(word); }
-bool Reader::next_is(Punctuation mark) { return peek().is(mark); }
-
-bool Reader::accept(Keyword word) {
-  if (!next_is(word)) return false;
-  take();
-  return true;
-}
-
-bool Reader::accept(Punctuation mark) {
-  if (!next_is(mark)) return false;
-  take();
-  return true;
-}
-
-void Reader::open_block(const Token& owner) { interpreter_.open_block(owner); }
-void Reader::close_block() { interpreter_.close_block(); }
-
-const Value* Reader::peek_value() { return interpreter_.peek_value(); }
-void Reader::take_name() { interpreter_.take_binding(); }
+Reader::Reader(Interpreter& interpreter) : interpreter_(interpreter), stream_(interpreter) {}
 
 bool Reader::at_expression() { return parser::at_expression(interpreter_); }
 bool Reader::at_number() { return at_float(interpreter_); }
@@ -39,7 +16,7 @@ double Reader::number() { return parse_float(interpreter_); }
 render::Vec3 Reader::vector3() { return parse_vector(interpreter_); }
 
 render::Vec2 Reader::vector2() {
-  const Token at = peek();
+  const Token& at = peek();
   const Numbers numbers = parse_sum(interpreter_, 2);
   if (numbers.size > 2) fail(at, "expected a 2D vector, found a " + std::string(kind_name(numbers)) + " expression");
   return {numbers.values[0], numbers.values[1]};
@@ -54,7 +31,7 @@ Numbers Reader::expression() { return parse_sum(interpreter_, 1); }
 void Reader::fail(const Token& at, std::string message) { interpreter_.fail(at.location, std::move(message)); }
 
 void Reader::fail_expected(std::string_view what) {
-  const Token at = peek();
+  const Token& at = peek();
   fail(at, "expected " + std::string(what) + ", found " + interpreter_.describe_next());
 }
 

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "parser/token.h"
+#include "parser/token_stream.h"
 #include "parser/value.h"
 #include "render/math/color.h"
 #include "render/math/vec.h"
@@ -23,18 +24,19 @@ class Reader {
   explicit Reader(Interpreter& interpreter);
 
   // --- tokens -------------------------------------------------------------------------------------------------------
-  const Token& peek();
-  Token take();
-  bool next_is(Keyword word);
-  bool next_is(Punctuation mark);
+  // Tokens stay where they are as long as the Interpreter lives.
+  const Token& peek() { return stream_.peek(); }
+  const Token& take() { return stream_.take(); }
+  bool next_is(Keyword word) { return peek().is(word); }
+  bool next_is(Punctuation mark) { return peek().is(mark); }
   /// Takes the next token if it is the one named.
-  bool accept(Keyword word);
-  bool accept(Punctuation mark);
+  bool accept(Keyword word) { return accept_if(next_is(word)); }
+  bool accept(Punctuation mark) { return accept_if(next_is(mark)); }
   /// POV-Ray's commas between arguments are optional.
   void skip_comma() { accept(Punctuation::comma); }
   /// Takes `{` of a block opened by `owner`, and remembers the place for the message about a missing `}`.
-  void open_block(const Token& owner);
-  void close_block();
+  void open_block(const Token& owner) { stream_.open_block(owner); }
+  void close_block() { stream_.close_block(); }
 
   // --- declared values ----------------------------------------------------------------------------------------------
   /// If the next token is an identifier (or array element) holding a T, takes it and returns the value; else null, and
@@ -72,19 +74,22 @@ class Reader {
   Interpreter& interpreter() { return interpreter_; }
 
  private:
-  const Value* peek_value();
-  void take_name();
+  bool accept_if(bool is_next) {
+    if (is_next) stream_.take();
+    return is_next;
+  }
   Interpreter& interpreter_;
+  TokenStream& stream_;  // the same
 };
 
 template <class T>
 std::shared_ptr<const T> Reader::accept_declared() {
-  const Value* value = peek_value();
+  const Value* value = stream_.peek_value();
   if (value == nullptr) return nullptr;
   const auto* held = std::get_if<std::shared_ptr<const T>>(value);
   if (held == nullptr) return nullptr;
   std::shared_ptr<const T> result = *held;
-  take_name();
+  stream_.take_binding();
   return result;
 }
 

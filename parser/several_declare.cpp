@@ -70,7 +70,7 @@ void Interpreter::store_tuple(const std::vector<Target>& targets) {
 }
 
 void Interpreter::store_components(const std::vector<Target>& targets) {
-  const Token at = peek();
+  const Token& at = peek();
   if (targets.size() > 5) {
     fail(at.location, "a vector has at most 5 components, but there are " + std::to_string(targets.size()) + " names");
   }
@@ -83,7 +83,7 @@ void Interpreter::store_components(const std::vector<Target>& targets) {
 }
 
 void Interpreter::store_elements(const std::vector<Target>& targets) {
-  const Token at = peek();
+  const Token& at = peek();
   const Value value = parse_argument(false).value;
   const auto* held = std::get_if<std::shared_ptr<Array>>(&value);
   if (held == nullptr) fail(at.location, "expected an array, found a " + std::string(kind_name(value)));

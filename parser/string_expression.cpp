@@ -238,7 +238,7 @@ std::string parse_string(Interpreter& in) {
     in.take();
     return result;
   }
-  const Token token = in.take();
+  const Token& token = in.take();
   return token.kind == TokenKind::string ? unescape(in, token) : parse_string_function(in, token);
 }
 

@@ -11,7 +11,7 @@ void Interpreter::run_version(const Token& word, bool first) {
   Reader reader(*this);
   const Hold hold(*this);
   if (peek().kind == TokenKind::identifier && peek().text == "unofficial") take_binding();
-  const Token at = peek();
+  const Token& at = peek();
   const double version = reader.number();
   if (!(version >= 1.0 && version * 100.0 + 0.5 < LanguageState::kNewest + 1)) {
     fail(at.location, "expected a version of the language from 1.0 to 3.8, found " + describe(at));
