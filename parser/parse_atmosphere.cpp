@@ -205,20 +205,30 @@ void parse_background(Reader& reader, SceneContext& context, const Token& word) 
 
 bool accept_atmosphere(Reader& reader, SceneContext& context) {
   const Token& word = reader.peek();
-  if (reader.accept(Keyword::background)) {
-    parse_background(reader, context, word);
-  } else if (reader.accept(Keyword::fog)) {
-    context.builder.atmosphere().fogs.push_back(parse_fog(reader, word));
-  } else if (reader.accept(Keyword::rainbow)) {
-    context.builder.atmosphere().rainbows.push_back(parse_rainbow(reader, word));
-  } else if (reader.accept(Keyword::media)) {
-    context.builder.atmosphere().media.push_back(parse_media(reader, context, word));
-  } else if (reader.accept(Keyword::sky_sphere)) {
-    add_sky_sphere(reader, context, word);
-  } else {
-    return false;
+  switch (word.keyword) {
+    case Keyword::background:
+      reader.take();
+      parse_background(reader, context, word);
+      return true;
+    case Keyword::fog:
+      reader.take();
+      context.builder.atmosphere().fogs.push_back(parse_fog(reader, word));
+      return true;
+    case Keyword::rainbow:
+      reader.take();
+      context.builder.atmosphere().rainbows.push_back(parse_rainbow(reader, word));
+      return true;
+    case Keyword::media:
+      reader.take();
+      context.builder.atmosphere().media.push_back(parse_media(reader, context, word));
+      return true;
+    case Keyword::sky_sphere:
+      reader.take();
+      add_sky_sphere(reader, context, word);
+      return true;
+    default:
+      return false;
   }
-  return true;
 }
 
 }  // namespace firstlight::parser

@@ -152,22 +152,33 @@ std::shared_ptr<const render::PigmentMap> parse_pigment_map(Reader& reader, Scen
   });
 }
 
-Pigment parse_pigment_contents(Reader& reader, SceneContext& context, const Token& word, Pigment start) {
-  Pigment pigment = std::move(start);
+namespace {
+
+void alter_pigment_contents(Reader& reader, SceneContext& context, const Token& word, Pigment& pigment) {
   if (const auto declared = reader.accept_declared<Pigment>()) pigment = *declared;
   PigmentOwner owner(pigment);
   parse_pattern(reader, context, owner);
   if (pigment.pattern->kind == PatternKind::none) {
     reader.warn(word, "'pigment' has no colour or pattern as its first item");
   }
-  return pigment;
+}
+
+}  // namespace
+
+Pigment parse_pigment_contents(Reader& reader, SceneContext& context, const Token& word, Pigment start) {
+  alter_pigment_contents(reader, context, word, start);
+  return start;
+}
+
+void alter_pigment(Reader& reader, SceneContext& context, const Token& word, Pigment& pigment) {
+  reader.open_block(word);
+  alter_pigment_contents(reader, context, word, pigment);
+  reader.close_block();
 }
 
 Pigment parse_pigment(Reader& reader, SceneContext& context, const Token& word, Pigment start) {
-  reader.open_block(word);
-  Pigment pigment = parse_pigment_contents(reader, context, word, std::move(start));
-  reader.close_block();
-  return pigment;
+  alter_pigment(reader, context, word, start);
+  return start;
 }
 
 }  // namespace firstlight::parser

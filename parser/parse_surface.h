@@ -17,6 +17,8 @@ namespace firstlight::parser {
 // `..._contents` read what stands between the braces, as the entries of maps have it.
 
 render::Pigment parse_pigment(Reader& reader, SceneContext& context, const Token& word, render::Pigment start);
+/// The same where it stands, for textures are made in great numbers.
+void alter_pigment(Reader& reader, SceneContext& context, const Token& word, render::Pigment& pigment);
 render::Pigment parse_pigment_contents(Reader& reader, SceneContext& context, const Token& word, render::Pigment start);
 /// `start` may be null: then the default texture's normal is altered, or an even one.
 render::Normal parse_normal(Reader& reader, SceneContext& context, const Token& word, const render::Normal* start);

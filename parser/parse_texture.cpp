@@ -31,7 +31,7 @@ class Draft {
     texture_ = moved(texture_, transform);
     own_ = nullptr;
   }
-  TexturePtr finished() { return texture_; }
+  TexturePtr finished() { return std::move(texture_); }
 
  private:
   Texture& change() {
@@ -45,17 +45,23 @@ class Draft {
 /// If the next word is `pigment`, `normal` or `finish`: takes its block, which alters the top layer.
 bool accept_part(Reader& reader, SceneContext& context, Draft& draft) {
   const Token& word = reader.peek();
-  if (reader.accept(Keyword::pigment)) {
-    draft.change_top().pigment = parse_pigment(reader, context, word, draft.top().pigment);
-  } else if (reader.accept(Keyword::finish)) {
-    draft.change_top().finish = kept_once(context, parse_finish(reader, word, draft.top().finish));
-  } else if (reader.accept(Keyword::normal)) {
-    draft.change_top().normal =
-        std::make_shared<render::Normal>(parse_normal(reader, context, word, draft.top().normal.get()));
-  } else {
-    return false;
+  switch (word.keyword) {
+    case Keyword::pigment:
+      reader.take();
+      alter_pigment(reader, context, word, draft.change_top().pigment);
+      return true;
+    case Keyword::finish:
+      reader.take();
+      draft.change_top().finish = kept_once(context, parse_finish(reader, word, draft.top().finish));
+      return true;
+    case Keyword::normal:
+      reader.take();
+      draft.change_top().normal =
+          std::make_shared<render::Normal>(parse_normal(reader, context, word, draft.top().normal.get()));
+      return true;
+    default:
+      return false;
   }
-  return true;
 }
 
 /// Declared parts may stand in a texture without a block of their own.
@@ -191,6 +197,7 @@ namespace {
 
 /// What is there already, with the transformations that came after it made part of it.
 void settle(TexturePtr& texture, Transform& placement) {
+  if (placement.is_identity()) return;
   texture = moved(texture, placement);
   placement = Transform();
 }
@@ -231,11 +238,14 @@ void parse_object_material(Reader& reader, SceneContext& context, Object& object
 
 /// Objects in the patterns of surfaces count as part of the object, for its depth.
 void deepen(Object& object) {
-  for (const TexturePtr& texture : {object.texture, object.extras->interior_texture}) {
-    if (!texture) continue;
+  const auto with = [&](const TexturePtr& texture) {
+    if (!texture) return;
     object.textured = true;
     object.depth = std::max(object.depth, depth_of(*texture));
-  }
+  };
+  with(object.texture);
+  if (object.extras.is_initial()) return;
+  with(object.extras->interior_texture);
   if (object.extras->interior) object.depth = std::max(object.depth, depth_of(**object.extras->interior));
 }
 

@@ -80,7 +80,7 @@ struct SceneBuilder::State {
   void note_object(const std::shared_ptr<const Object>& object);
   void note_surfaces();
   void note_atmosphere();
-  std::optional<Solid> freeze(const Object& object, const Inherited& parent, bool top_level);
+  bool freeze(const Object& object, const Inherited& parent, bool top_level, Solid& solid);
   void add_part(Solid& solid, const Object& object, const Inherited& leaf);
   void order_solids();
   void finish();
@@ -89,24 +89,28 @@ struct SceneBuilder::State {
 /// What holds at `object`: its own where it has it, else its parent's.
 Inherited SceneBuilder::State::at_node(const Object& object, const Inherited& parent) {
   Inherited node = parent;
+  const ObjectExtras& extras = object.extras;
   node.to_world = object.placement.then(parent.to_world);
   if (object.texture) node.texture = textures.index_of(object.texture, object.texture_placement.then(parent.to_world));
-  if (object.extras->interior_texture) {
-    node.interior_texture = textures.index_of(object.extras->interior_texture,
-                                              object.extras->interior_texture_placement.then(parent.to_world));
+  if (extras.interior_texture) {
+    node.interior_texture =
+        textures.index_of(extras.interior_texture, extras.interior_texture_placement.then(parent.to_world));
   }
   if (node.texture == kNoIndex && object.kind == Object::Kind::shape && default_texture) {
     node.texture = textures.index_of(default_texture, Transform());
   }
-  scene->unrendered.add(object.extras->unrendered);
-  if (object.extras->interior || node.interior == kNoIndex) {
+  scene->unrendered.add(extras.unrendered);
+  if (extras.interior) {
     node.interior = static_cast<std::uint32_t>(scene->interiors.size());
-    scene->interiors.push_back(object.extras->interior ? moved(*object.extras->interior, parent.to_world) : air());
+    scene->interiors.push_back(moved(*extras.interior, parent.to_world));
     gather(*scene->interiors.back(), scene->unrendered);
+  } else if (node.interior == kNoIndex) {
+    node.interior = static_cast<std::uint32_t>(scene->interiors.size());
+    scene->interiors.push_back(air());
   }
   if (node.texture != kNoIndex) promote_finish(node.texture, node.interior);
   node.hidden_from |= hidden_bits(object);
-  node.names = objects.within(parent.names, object.extras->names);
+  if (!extras.names.empty()) node.names = objects.within(parent.names, extras.names);
   node.inverted = parent.inverted != object.inverted;
   node.double_illuminate |= object.double_illuminate;
   return node;
@@ -139,8 +143,8 @@ void SceneBuilder::State::promote_finish(std::uint32_t texture, std::uint32_t in
 /// by one. They keep their order, for of members that meet a ray at equal depths POV-Ray shows the first.
 void SceneBuilder::State::link(const Object& object, const Inherited& parent) {
   const bool inverted = parent.inverted != object.inverted;
-  const bool cut = !is_empty(object.extras->clipped_by) || !is_empty(object.extras->bounded_by);
-  if (object.kind != Object::Kind::shape && object.kind != Object::Kind::light && !cut &&
+  if (object.kind != Object::Kind::shape && object.kind != Object::Kind::light &&
+      is_empty(object.extras->clipped_by) && is_empty(object.extras->bounded_by) &&
       solid_kind(object.kind, inverted) == Solid::Kind::union_) {
     if (is_empty(object.children)) return;
     const Inherited node = at_node(object, parent);
@@ -150,18 +154,19 @@ void SceneBuilder::State::link(const Object& object, const Inherited& parent) {
     return;
   }
   size = object.size;
-  std::optional<Solid> solid = freeze(object, parent, true);
-  if (!solid || !has_surface(*solid)) {
+  Solid& solid = scene->solids.emplace_back();
+  if (!freeze(object, parent, true, solid) || !has_surface(solid)) {
+    scene->solids.pop_back();
     if (has_form(object)) ++scene->described;
     return;
   }
-  solid->matter = matter;
-  scene->solids.push_back(std::move(*solid));
-  if (is_unbounded(scene->solids.back())) unbounded_end = scene->solids.size();
+  solid.matter = matter;
+  if (is_unbounded(solid)) unbounded_end = scene->solids.size();
 }
 
-/// `object` as one solid, closed; nothing for a light, which goes to the scene's lights.
-std::optional<Solid> SceneBuilder::State::freeze(const Object& object, const Inherited& parent, bool top_level) {
+/// Makes of `object` one solid, closed. False for a light, which goes to the scene's lights, and for what is no solid.
+/// Pre: `solid` is as it was made.
+bool SceneBuilder::State::freeze(const Object& object, const Inherited& parent, bool top_level, Solid& solid) {
   if (object.kind == Object::Kind::light) {
     scene->unrendered.add(object.extras->unrendered);
     scene->unrendered.add(object.extras->light->unrendered);
@@ -169,12 +174,11 @@ std::optional<Solid> SceneBuilder::State::freeze(const Object& object, const Inh
     note_object(scene->lights.back().looks_like);
     note_object(scene->lights.back().projected_through);
     scene->light_names.push_back(objects.names_of(objects.within(parent.names, object.extras->names)));
-    return std::nullopt;
+    return false;
   }
   const Inherited node = at_node(object, parent);
   if (object.extras->form) note_form(*object.extras->form, node);
-  if (object.kind == Object::Kind::shape && !object.shape) return std::nullopt;
-  Solid solid;
+  if (object.kind == Object::Kind::shape && !object.shape) return false;
   solid.kind = solid_kind(object.kind, node.inverted);
   solid.hidden_from = node.hidden_from;
   if (object.kind == Object::Kind::shape) {
@@ -184,17 +188,20 @@ std::optional<Solid> SceneBuilder::State::freeze(const Object& object, const Inh
     std::vector<Solid> members;
     members.reserve(object.children->size());
     for (const Object& child : *object.children) {
-      if (std::optional<Solid> member = freeze(child, node, false)) members.push_back(std::move(*member));
+      if (!freeze(child, node, false, members.emplace_back())) members.pop_back();
     }
     solid.set_members(std::move(members));
   }
-  note_region(object.extras->clipped_by);
-  note_region(object.extras->bounded_by);
-  solid.set_clips(regions(clips_of(object), node.to_world));
-  // POV-Ray drops the bounds of a simple shape at top level (Remove_Bounds), so there a wrong bound cuts nothing away.
-  if (!top_level || object.kind != Object::Kind::shape) solid.set_bounds(regions(bounds_of(object), node.to_world));
+  if (!object.extras.is_initial()) {
+    note_region(object.extras->clipped_by);
+    note_region(object.extras->bounded_by);
+    solid.set_clips(regions(clips_of(object), node.to_world));
+    // POV-Ray drops the bounds of a simple shape at top level (Remove_Bounds), so there a wrong bound cuts nothing
+    // away.
+    if (!top_level || object.kind != Object::Kind::shape) solid.set_bounds(regions(bounds_of(object), node.to_world));
+  }
   solid.close();
-  return solid;
+  return true;
 }
 
 /// Clips and bounds are shapes without surfaces: only what they are made of counts.
@@ -218,7 +225,8 @@ void SceneBuilder::State::note_object(const std::shared_ptr<const Object>& objec
   State apart;
   apart.scene->settings = scene->settings;
   apart.default_texture = default_texture;
-  apart.freeze(*object, Inherited(), false);
+  Solid solid;
+  apart.freeze(*object, Inherited(), false, solid);
   apart.finish();
   scene->unrendered.add(apart.scene->unrendered);
 }
@@ -286,8 +294,8 @@ Settings& SceneBuilder::settings() { return state_->scene->settings; }
 const Settings& SceneBuilder::settings() const { return state_->scene->settings; }
 Atmosphere& SceneBuilder::atmosphere() { return state_->scene->atmosphere; }
 
-void SceneBuilder::add(const Object& object, TexturePtr default_texture) {
-  state_->default_texture = std::move(default_texture);
+void SceneBuilder::add(const Object& object, const TexturePtr& default_texture) {
+  if (state_->default_texture != default_texture) state_->default_texture = default_texture;
   state_->matter = static_cast<std::uint32_t>(state_->scene->interiors.size());
   state_->link(object, Inherited());
 }

@@ -25,7 +25,7 @@ class SceneBuilder {
   Atmosphere& atmosphere();
   /// A top-level object, in the order of the scene text; lights are objects too. `default_texture` covers what has
   /// none.
-  void add(const Object& object, TexturePtr default_texture);
+  void add(const Object& object, const TexturePtr& default_texture);
   /// Top-level solids so far: dissolved unions count as their members, lights not at all.
   std::size_t object_count() const;
   /// The frozen scene; the builder is empty afterwards.
