@@ -7,6 +7,7 @@
 #include "parser/function_values.h"
 #include "parser/interpreter.h"
 
+#include <algorithm>
 #include <utility>
 
 namespace firstlight::parser {
@@ -162,18 +163,29 @@ Formula::Formula() = default;
 Formula::~Formula() = default;
 
 void Formula::evaluate(Interpreter& in, const Values& values, std::uint8_t terms, Numbers& result) const {
-  for (const auto& program : programs_) {
-    if (program->serves(values.shape, terms)) return program->run(in, values.of_names.data(), result);
+  if (latest_ != nullptr && latest_->serves(values.shape, terms)) {
+    return latest_->run(in, values.of_names.data(), result);
   }
-  if (programs_.size() < kMostPrograms) {
-    if (std::unique_ptr<const FormulaProgram> program = FormulaProgram::make(steps_, values.shape, terms)) {
-      programs_.push_back(std::move(program));
-      return programs_.back()->run(in, values.of_names.data(), result);
+  evaluate_anew(in, values, terms, result);
+}
+
+void Formula::evaluate_anew(Interpreter& in, const Values& values, std::uint8_t terms, Numbers& result) const {
+  const auto known = std::find_if(programs_.begin(), programs_.end(),
+                                  [&](const auto& program) { return program->serves(values.shape, terms); });
+  if (known != programs_.end()) {
+    latest_ = known->get();
+  } else {
+    auto program = programs_.size() < kMostPrograms ? FormulaProgram::make(steps_, values.shape, terms) : nullptr;
+    if (program == nullptr) {
+      Stack stack(terms);
+      run(in, steps_, values.of_names.data(), stack);
+      result = stack.top();
+      return;
     }
+    latest_ = program.get();
+    programs_.push_back(std::move(program));
   }
-  Stack stack(terms);
-  run(in, steps_, values.of_names.data(), stack);
-  result = stack.top();
+  latest_->run(in, values.of_names.data(), result);
 }
 
 const Formula* FormulaTable::meet(const std::vector<Token>& tokens, std::uint32_t begin, Formula::Kind kind) {

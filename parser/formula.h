@@ -105,6 +105,8 @@ class Formula {
   friend class FormulaCompiler;
   static constexpr std::size_t kMostPrograms = 4;
 
+  void evaluate_anew(Interpreter& in, const Values& values, std::uint8_t terms, Numbers& result) const;
+
   std::vector<Step> steps_;
   std::vector<std::uint32_t> names_;
   std::vector<Keyword> keywords_;
@@ -112,7 +114,9 @@ class Formula {
   std::uint32_t end_ = 0;
   std::size_t depth_ = 0;
   bool ends_at_hold_ = false;
-  mutable std::vector<std::unique_ptr<const FormulaProgram>> programs_;  // for the shapes that there have been
+  // For the shapes that there have been, and the one that came last.
+  mutable std::vector<std::unique_ptr<const FormulaProgram>> programs_;
+  mutable const FormulaProgram* latest_ = nullptr;
 };
 
 /// The formulas of a file's expressions. One is made when an expression is met for the second time.

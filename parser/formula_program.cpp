@@ -336,7 +336,8 @@ void FormulaProgram::run(Interpreter& in, const Numbers* const* values, Numbers&
         break;
     }
   }
-  std::copy_n(stack.data(), size_, result.values.data());
+  result.values[0] = stack[0];
+  if (size_ > 1) std::copy_n(&stack[1], size_ - 1, &result.values[1]);
   result.size = size_;
   result.is_color = is_color_;
 }
