@@ -65,6 +65,7 @@ struct SceneBuilder::State {
   TextureTable textures;
   ObjectTable objects;
   TexturePtr default_texture;     ///< of the object that is being added
+  const Object* top = nullptr;    ///< that object
   std::uint32_t matter = 0;       ///< of that object: the interior that its topmost node will make
   std::uint64_t size = 1;         ///< of the top-level solid at hand
   std::size_t unbounded_end = 0;  ///< behind the last solid that is_unbounded()
@@ -91,7 +92,13 @@ Inherited SceneBuilder::State::at_node(const Object& object, const Inherited& pa
   Inherited node = parent;
   const ObjectExtras& extras = object.extras;
   node.to_world = object.placement.then(parent.to_world);
-  if (object.texture) node.texture = textures.index_of(object.texture, object.texture_placement.then(parent.to_world));
+  if (object.texture) {
+    const Transform place = object.texture_placement.then(parent.to_world);
+    // What the object at top level alone holds, nothing else can ask for.
+    const bool unshared = &object == top && object.texture.use_count() == 1;
+    node.texture =
+        unshared ? textures.index_of_unshared(object.texture, place) : textures.index_of(object.texture, place);
+  }
   if (extras.interior_texture) {
     node.interior_texture =
         textures.index_of(extras.interior_texture, extras.interior_texture_placement.then(parent.to_world));
@@ -297,7 +304,9 @@ Atmosphere& SceneBuilder::atmosphere() { return state_->scene->atmosphere; }
 void SceneBuilder::add(const Object& object, const TexturePtr& default_texture) {
   if (state_->default_texture != default_texture) state_->default_texture = default_texture;
   state_->matter = static_cast<std::uint32_t>(state_->scene->interiors.size());
+  state_->top = &object;
   state_->link(object, Inherited());
+  state_->top = nullptr;
 }
 
 std::size_t SceneBuilder::object_count() const { return state_->scene->solids.size() + state_->scene->described; }

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <bit>
 #include <functional>
+#include <utility>
 
 namespace firstlight::render {
 namespace {
@@ -47,14 +48,25 @@ std::size_t TextureTable::home_of(const Texture* texture, const Transform& place
 /// Keeps at least half of the slots free.
 void TextureTable::grow() {
   constexpr std::size_t kFirstSize = 16;
-  if (2 * (entries_.size() + 1) <= slots_.size()) return;
+  if (2 * (taken_slots_ + 1) <= slots_.size()) return;
   const std::size_t size = slots_.empty() ? kFirstSize : 2 * slots_.size();
-  slots_.assign(size, kNoIndex);
-  for (std::uint32_t i = 0; i < entries_.size(); ++i) {
-    std::size_t slot = home_of(entries_[i].texture.get(), entries_[i].to_texture.inverse());
+  const std::vector<std::uint32_t> before = std::exchange(slots_, std::vector<std::uint32_t>(size, kNoIndex));
+  for (const std::uint32_t entry : before) {
+    if (entry == kNoIndex) continue;
+    std::size_t slot = home_of(entries_[entry].texture.get(), entries_[entry].to_texture.inverse());
     while (slots_[slot] != kNoIndex) slot = (slot + 1) & (size - 1);
-    slots_[slot] = i;
+    slots_[slot] = entry;
   }
+}
+
+std::uint32_t TextureTable::add(const TexturePtr& texture, const Transform& place) {
+  entries_.push_back({texture, place.inverse()});
+  kinds_.push_back(surface_kind(*texture));
+  return static_cast<std::uint32_t>(entries_.size() - 1);
+}
+
+std::uint32_t TextureTable::index_of_unshared(const TexturePtr& texture, const Transform& to_world) {
+  return add(texture, is_plain(*texture) ? Transform() : to_world);
 }
 
 std::uint32_t TextureTable::index_of(const TexturePtr& texture, const Transform& to_world) {
@@ -65,10 +77,8 @@ std::uint32_t TextureTable::index_of(const TexturePtr& texture, const Transform&
     const PlacedTexture& entry = entries_[slots_[slot]];
     if (entry.texture == texture && entry.to_texture.inverse_matrix() == place.matrix()) return slots_[slot];
   }
-  slots_[slot] = static_cast<std::uint32_t>(entries_.size());
-  entries_.push_back({texture, place.inverse()});
-  kinds_.push_back(surface_kind(*texture));
-  return slots_[slot];
+  ++taken_slots_;
+  return slots_[slot] = add(texture, place);
 }
 
 }  // namespace firstlight::render
