@@ -4,32 +4,9 @@
 #include "parser/function_values.h"
 
 #include <algorithm>
-#include <numbers>
 #include <optional>
 
 namespace firstlight::parser {
-
-namespace {
-
-// Words that are numbers whatever the scene says.
-std::optional<double> constant(Keyword word) {
-  switch (word) {
-    case Keyword::pi:
-      return std::numbers::pi;
-    case Keyword::false_:
-    case Keyword::no:
-    case Keyword::off:
-      return 0.0;
-    case Keyword::true_:
-    case Keyword::yes:
-    case Keyword::on:
-      return 1.0;
-    default:
-      return std::nullopt;
-  }
-}
-
-}  // namespace
 
 /// One try to make a formula. Each function reads a part of the expression and gives false when it cannot be part of a
 /// formula; then the try has failed. `terms` is what the place wants, as in Formula::Step.
@@ -225,7 +202,7 @@ class FormulaCompiler {
   }
 
   bool word(const Token& token, std::uint8_t terms) {
-    if (const std::optional<double> value = constant(token.keyword)) {
+    if (const std::optional<double> value = constant_of(token.keyword)) {
       emit(Operation::number, token, terms).number = *value;
       return grow(0);
     }

@@ -1,6 +1,7 @@
 #include "parser/function_compiler.h"
 
 #include "parser/function_emitter.h"
+#include "parser/function_values.h"
 #include "parser/function_words.h"
 
 #include <algorithm>
@@ -282,17 +283,8 @@ class Compiler {
   }
 
   void word(const Token& token) {
+    if (const std::optional<double> constant = constant_of(token.keyword)) return emitter_.constant(*constant);
     switch (token.keyword) {
-      case Keyword::pi:
-        return emitter_.constant(std::numbers::pi);
-      case Keyword::true_:
-      case Keyword::yes:
-      case Keyword::on:
-        return emitter_.constant(1.0);
-      case Keyword::false_:
-      case Keyword::no:
-      case Keyword::off:
-        return emitter_.constant(0.0);
       case Keyword::clock:
         return emitter_.constant(scope_.clock);
       case Keyword::sum:

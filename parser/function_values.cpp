@@ -24,6 +24,23 @@ double into_domain(Interpreter& in, const Token& word, double value) {
 
 }  // namespace
 
+std::optional<double> constant_of(Keyword word) {
+  switch (word) {
+    case Keyword::pi:
+      return std::numbers::pi;
+    case Keyword::false_:
+    case Keyword::no:
+    case Keyword::off:
+      return 0.0;
+    case Keyword::true_:
+    case Keyword::yes:
+    case Keyword::on:
+      return 1.0;
+    default:
+      return std::nullopt;
+  }
+}
+
 int to_int(double value) {
   const double whole = std::trunc(value);
   return whole >= INT_MIN && whole <= INT_MAX ? static_cast<int>(whole) : INT_MIN;

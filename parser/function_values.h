@@ -3,12 +3,17 @@
 #include "parser/token.h"
 #include "render/math/vec.h"
 
+#include <optional>
+
 namespace firstlight::parser {
 
 class Interpreter;
 
 // What the functions of the language give for arguments that are known, whoever has read them. `word` is the
 // function's name, and where a mistake is told of. [POV-Ray 3.7 manual, "Float Functions", "Vector Functions"]
+
+/// Of words that are numbers whatever the scene says: `pi`, `yes`, `off` ...
+std::optional<double> constant_of(Keyword word);
 
 /// POV-Ray cuts numbers to 32-bit integers; what does not fit becomes the lowest one, as its processors do it.
 int to_int(double value);

@@ -9,7 +9,7 @@
 #include <algorithm>
 #include <chrono>
 #include <cstdlib>
-#include <numbers>
+#include <optional>
 
 namespace firstlight::parser {
 
@@ -168,20 +168,12 @@ double of_vectors_to_number(Interpreter& in, const Token& word) {
 }
 
 double number_of(Interpreter& in, const Token& word) {
+  if (const std::optional<double> constant = constant_of(word.keyword)) return *constant;
   switch (word.keyword) {
-    case Keyword::pi:
-      return std::numbers::pi;
     case Keyword::clock:
       return in.options().clock;
     case Keyword::clock_on:
-    case Keyword::false_:
-    case Keyword::no:
-    case Keyword::off:
       return 0.0;
-    case Keyword::true_:
-    case Keyword::yes:
-    case Keyword::on:
-      return 1.0;
     case Keyword::version:
       return in.language_version() / 100.0;
     case Keyword::now:
