@@ -38,12 +38,13 @@ Interpreter::Target Interpreter::parse_target(const Token& word) {
     if (deprecation->once) take_raw();
     if (raw_next().kind == TokenKind::string) deprecation->message = unescape(*this, take_raw());
   }
+  const Scopes::Reach reach = take_reach();
   target.name = take_identifier(word);
   if (deprecation) {
     if (deprecation->message.empty()) deprecation->message = "'" + std::string(target.name.text) + "' is deprecated";
     deprecated_[target.name.symbol] = std::move(*deprecation);
   }
-  const Scopes::Binding* binding = scopes_.find(target.name.symbol);
+  const Scopes::Binding* binding = scopes_.find(target.name.symbol, reach);
   if (binding != nullptr && std::holds_alternative<std::shared_ptr<const Macro>>(*binding->slot)) {
     fail(target.name.location, "expected an identifier after '#" + std::string(word.text) + "', found the macro '" +
                                    std::string(target.name.text) + "'");
@@ -53,7 +54,8 @@ Interpreter::Target Interpreter::parse_target(const Token& word) {
     target.part = picked_;
     return target;
   }
-  target.slot = scopes_.target(target.name.symbol, word.is(Keyword::local));
+  target.slot = reach == Scopes::Reach::any ? scopes_.target(target.name.symbol, word.is(Keyword::local))
+                                            : scopes_.target(target.name.symbol, reach);
   return target;
 }
 

@@ -225,8 +225,10 @@ void Interpreter::run_message(const Token& word) {
 }
 
 void Interpreter::run_undef(const Token& word) {
-  const Token name = take_identifier(word);
-  const Scopes::Binding* binding = scopes_.find(name.symbol);
+  unsettle();
+  const Scopes::Reach reach = take_reach();
+  const Token& name = take_identifier(word);
+  const Scopes::Binding* binding = scopes_.find(name.symbol, reach);
   if (binding == nullptr) {
     warn(name.location, "'" + std::string(name.text) + "' is not declared, so '#undef' changes nothing");
     return;
@@ -237,7 +239,7 @@ void Interpreter::run_undef(const Token& word) {
     return;
   }
   if (const auto* file = std::get_if<std::shared_ptr<DataFile>>(slot.get())) close_data_file(**file, name.location);
-  scopes_.remove(name.symbol);
+  scopes_.remove(name.symbol, reach);
 }
 
 void Interpreter::run_include(const Token& word) {
@@ -307,11 +309,12 @@ const Token& Interpreter::take_identifier(const Token& word) {
 bool Interpreter::parse_defined() {
   expect(Punctuation::left_paren, "before the name");
   unsettle();
+  const Scopes::Reach reach = take_reach();
   const Token& name = take_raw();
   if (name.kind != TokenKind::identifier && name.kind != TokenKind::keyword) {
     fail(name.location, "expected an identifier, found " + describe(name));
   }
-  const Scopes::Binding* binding = name.kind == TokenKind::identifier ? scopes_.find(name.symbol) : nullptr;
+  const Scopes::Binding* binding = name.kind == TokenKind::identifier ? scopes_.find(name.symbol, reach) : nullptr;
   bool result = binding != nullptr;
   if (result && picks_part(*binding->slot, raw_next())) {
     const Scopes::Slot slot = binding->slot;

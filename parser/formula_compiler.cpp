@@ -257,7 +257,7 @@ class FormulaCompiler {
         emit(Operation::fold_end, word, terms);
         break;
       default:
-            if (!vector_argument()) return false;
+        if (!vector_argument()) return false;
         if (takes_second_vector(word.keyword)) {
           accept(Punctuation::comma);
           if (!vector_argument()) return false;

@@ -313,8 +313,7 @@ void FormulaProgram::run(Interpreter& in, const Numbers* const* values, Numbers&
         RandomStreams& random = in.random();
         const double stream = top[-1];
         const bool exists = stream >= 0.0 && stream < static_cast<double>(random.count());
-        top[-1] =
-            exists ? random.next(static_cast<std::size_t>(stream)) : value_of_number(in, *step.token, stream);
+        top[-1] = exists ? random.next(static_cast<std::size_t>(stream)) : value_of_number(in, *step.token, stream);
         break;
       }
       case Operation::call_number:

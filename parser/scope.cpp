@@ -14,6 +14,24 @@ void Scopes::leave() {
   scope_begins_.pop_back();
 }
 
+const Scopes::Binding* Scopes::find(std::uint32_t symbol, Reach reach) const {
+  if (reach == Reach::any || symbol >= bindings_.size() || bindings_[symbol].empty()) return find(symbol);
+  const std::vector<Binding>& stack = bindings_[symbol];
+  const bool local = reach == Reach::local;
+  const Binding& binding = local ? stack.back() : stack.front();
+  if (binding.scope != (local ? current() : kGlobal)) return nullptr;
+  return std::holds_alternative<std::monostate>(*binding.slot) ? nullptr : &binding;
+}
+
+const Scopes::Slot& Scopes::target(std::uint32_t symbol, Reach reach) {
+  if (reach != Reach::global) return target(symbol, reach == Reach::local);
+  std::vector<Binding>& stack = bindings(symbol);
+  if (stack.empty() || stack.front().scope != kGlobal) {
+    stack.insert(stack.begin(), {kGlobal, std::make_shared<Value>()});
+  }
+  return stack.front().slot;
+}
+
 const Scopes::Slot& Scopes::target(std::uint32_t symbol, bool local) {
   std::vector<Binding>& stack = bindings(symbol);
   if (!stack.empty() && (!local || stack.back().scope == current())) return stack.back().slot;
@@ -51,9 +69,14 @@ std::vector<std::string> Scopes::declared_names(const Symbols& symbols) const {
   return names;
 }
 
-void Scopes::remove(std::uint32_t symbol) {
+void Scopes::remove(std::uint32_t symbol, Reach reach) {
   std::vector<Binding>& stack = bindings(symbol);
-  if (!stack.empty()) stack.pop_back();
+  if (stack.empty()) return;
+  if (reach == Reach::any || (reach == Reach::local && stack.back().scope == current())) {
+    stack.pop_back();
+  } else if (reach == Reach::global && stack.front().scope == kGlobal) {
+    stack.erase(stack.begin());
+  }
 }
 
 }  // namespace firstlight::parser

@@ -40,17 +40,22 @@ class Scopes {
     const Binding& binding = bindings_[symbol].back();
     return std::holds_alternative<std::monostate>(*binding.slot) ? nullptr : &binding;
   }
+  /// Where a name is looked for. `local.Name` is of the innermost scope and `global.Name` of the scene, whatever the
+  /// name alone means. [POV-Ray 3.8]
+  enum class Reach : std::uint8_t { any, local, global };
+  const Binding* find(std::uint32_t symbol, Reach reach) const;
   /// The slot that `#declare` (`local` false) or `#local` writes to; made when there is none.
   /// The reference holds until the next name is bound.
   const Slot& target(std::uint32_t symbol, bool local);
+  const Slot& target(std::uint32_t symbol, Reach reach);
   /// Binds the name in the current scope, over any other meaning.
   void bind(std::uint32_t symbol, Slot slot);
   /// What bytes_of() gives for all values together; one that goes by several names counts once.
   std::size_t bytes() const;
   /// All names that have a value.
   std::vector<std::string> declared_names(const Symbols& symbols) const;
-  /// Removes the innermost meaning of the name.
-  void remove(std::uint32_t symbol);
+  /// Removes a meaning of the name: with Reach::any the innermost.
+  void remove(std::uint32_t symbol, Reach reach = Reach::any);
 
  private:
   std::vector<Binding>& bindings(std::uint32_t symbol) {

@@ -52,6 +52,10 @@ void TokenStream::settle() {
       if (settle_name(token)) return;
       continue;
     }
+    if ((token.keyword == Keyword::local || token.keyword == Keyword::global) && (&token)[1].is(Punctuation::period)) {
+      if (settle_prefixed_name()) return;
+      continue;
+    }
     next_index_ = frame.position++;
     next_ = &token;
     next_value_ = nullptr;
@@ -65,10 +69,26 @@ void TokenStream::settle() {
 bool TokenStream::settle_name(const Token& name) {
   const std::uint32_t index = frames_.back().position++;
   note_statement(index);
-  const Scopes::Binding* binding = scopes_.find(name.symbol);
+  return settle_as(name, index, scopes_.find(name.symbol), false);
+}
+
+bool TokenStream::settle_prefixed_name() {
+  const std::uint32_t index = frames_.back().position;
+  note_statement(index);
+  const std::string prefix(raw_next().text);
+  const Scopes::Reach reach = take_reach();
+  const Token& name = take_raw();
+  if (name.kind != TokenKind::identifier) {
+    fail(name.location, "expected an identifier behind '" + prefix + ".', found " + describe(name));
+  }
+  return settle_as(name, index, scopes_.find(name.symbol, reach), true);
+}
+
+bool TokenStream::settle_as(const Token& name, std::uint32_t index, const Scopes::Binding* binding, bool prefixed) {
   const Value* value = nullptr;
   bool is_macro = false;
   if (binding != nullptr) {
+    next_scope_ = binding->scope;
     if (!deprecated_.empty()) warn_of_deprecated(name);
     value = binding->slot.get();
     if (const auto* macro = std::get_if<std::shared_ptr<const Macro>>(value)) {
@@ -80,6 +100,8 @@ bool TokenStream::settle_name(const Token& name) {
     } else if (picks_part(*value, raw_next())) {
       next_element_ = pick_part(Scopes::Slot(binding->slot), name, Pick::value);
       value = next_element_.get();
+    } else if (prefixed) {
+      next_element_ = binding->slot;
     }
   }
   next_ = &name;
@@ -106,10 +128,9 @@ std::map<std::string, std::uint64_t> TokenStream::keyword_counts() const {
 }
 
 Scopes::Binding TokenStream::peek_binding() const {
+  if (next_element_ != nullptr && next_element_.get() == next_value_) return {next_scope_, next_element_};
   const Scopes::Binding* binding = scopes_.find(next_->symbol);
-  if (binding == nullptr) return {};
-  const bool is_element = next_element_ != nullptr && next_element_.get() == next_value_;
-  return {binding->scope, is_element ? next_element_ : binding->slot};
+  return binding != nullptr ? *binding : Scopes::Binding();
 }
 
 Scopes::Binding TokenStream::take_binding() {
@@ -175,6 +196,15 @@ const Token& TokenStream::take_raw() {
   return token;
 }
 
+Scopes::Reach TokenStream::take_reach() {
+  const Token& word = raw_next();
+  const bool local = word.is(Keyword::local);
+  if ((!local && !word.is(Keyword::global)) || !(&word)[1].is(Punctuation::period)) return Scopes::Reach::any;
+  count(word.keyword);
+  frames_.back().position += 2;
+  return local ? Scopes::Reach::local : Scopes::Reach::global;
+}
+
 void TokenStream::fail_expected(Punctuation mark, std::string_view purpose, std::string_view name) {
   std::string expected = "expected '" + std::string(spelling(mark)) + "' " + std::string(purpose);
   if (!name.empty()) expected.append(" '").append(name).append("'");
@@ -231,7 +261,7 @@ std::string TokenStream::suggestion(std::string_view word) const {
   std::vector<std::string> known = scopes_.declared_names(symbols_);
   for (std::size_t i = 1; i < kKeywordCount; ++i) known.emplace_back(spelling(static_cast<Keyword>(i)));
   const std::string near = render::nearest(word, known);
-  return near.empty() ? std::string() : "; did you mean '" + near + "'?";
+  return near.empty() || near == word ? std::string() : "; did you mean '" + near + "'?";
 }
 
 void TokenStream::begin_statement() {

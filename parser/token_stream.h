@@ -180,6 +180,8 @@ class TokenStream {
   virtual Scopes::Slot pick_part(const Scopes::Slot& container, const Token& name, Pick purpose) = 0;
 
   const Token& take_raw();
+  /// Takes the `local.` or `global.` that stands before a name, if any.
+  Scopes::Reach take_reach();
   void count(Keyword word) { ++keyword_counts_[static_cast<std::size_t>(word)]; }
   const Token& raw_next() const { return frames_.back().file->tokens[frames_.back().position]; }
   /// Gives up the token that peek() has shown, if any, so that reading goes on before it.
@@ -226,12 +228,15 @@ class TokenStream {
   bool is_held() const { return hold_.held && blocks_.size() <= hold_.blocks; }
   void settle();
   bool settle_name(const Token& name);
+  bool settle_prefixed_name();
+  bool settle_as(const Token& name, std::uint32_t index, const Scopes::Binding* binding, bool prefixed);
 
   // The token that peek() gives. `pending_`: it is a `#` or a macro's name, shown because of a Hold.
   const Token* next_ = nullptr;
   std::uint32_t next_index_ = 0;
   const Value* next_value_ = nullptr;
-  Scopes::Slot next_element_;  // when it is a part of an array or a dictionary
+  Scopes::Slot next_element_;     // when it is a part of an array or a dictionary, or has a prefix
+  std::uint32_t next_scope_ = 0;  // of that
   bool settled_ = false;
   bool pending_ = false;
   HoldState hold_;

@@ -150,9 +150,8 @@ void SceneBuilder::State::promote_finish(std::uint32_t texture, std::uint32_t in
 /// by one. They keep their order, for of members that meet a ray at equal depths POV-Ray shows the first.
 void SceneBuilder::State::link(const Object& object, const Inherited& parent) {
   const bool inverted = parent.inverted != object.inverted;
-  if (object.kind != Object::Kind::shape && object.kind != Object::Kind::light &&
-      is_empty(object.extras->clipped_by) && is_empty(object.extras->bounded_by) &&
-      solid_kind(object.kind, inverted) == Solid::Kind::union_) {
+  if (object.kind != Object::Kind::shape && object.kind != Object::Kind::light && is_empty(object.extras->clipped_by) &&
+      is_empty(object.extras->bounded_by) && solid_kind(object.kind, inverted) == Solid::Kind::union_) {
     if (is_empty(object.children)) return;
     const Inherited node = at_node(object, parent);
     make_room(scene->solids, object.children->size());
