@@ -14,6 +14,11 @@ constexpr std::size_t kShortestSuggestion = 3;    // shorter words are all alike
 constexpr std::size_t kLongestCallChain = 8;      // calls a message tells of
 constexpr std::size_t kMostDiagnostics = 10'000;  // kept of one scene; a loop may warn at every turn
 
+bool stands_for_itself(const Token& token) {
+  return token.kind != TokenKind::identifier && token.punctuation != Punctuation::hash &&
+         token.keyword != Keyword::local && token.keyword != Keyword::global;
+}
+
 }  // namespace
 
 void TokenStream::fail_nesting() {
@@ -25,6 +30,16 @@ void TokenStream::fail_nesting() {
 
 void TokenStream::settle() {
   unsettle();
+  Frame& frame = frames_.back();
+  if (frame.position < frame.end) {
+    const Token& token = frame.file->tokens[frame.position];
+    if (stands_for_itself(token)) return show(token, frame.position++);
+  }
+  settle_step_by_step();
+}
+
+// What is obeyed, called or looked up before something can be shown.
+void TokenStream::settle_step_by_step() {
   for (;;) {
     Frame& frame = frames_.back();
     if (frame.position >= frame.end) {
@@ -32,11 +47,7 @@ void TokenStream::settle() {
         leave_frame();
         continue;
       }
-      next_ = &frame.file->tokens[frame.end];
-      next_index_ = frame.end;
-      next_value_ = nullptr;
-      settled_ = true;
-      return;
+      return show(frame.file->tokens[frame.end], frame.end);
     }
     const Token& token = frame.file->tokens[frame.position];
     if (token.is(Punctuation::hash) && !is_held()) {
@@ -56,11 +67,8 @@ void TokenStream::settle() {
       if (settle_prefixed_name()) return;
       continue;
     }
-    next_index_ = frame.position++;
-    next_ = &token;
-    next_value_ = nullptr;
+    show(token, frame.position++);
     pending_ = token.is(Punctuation::hash);
-    settled_ = true;
     return;
   }
 }

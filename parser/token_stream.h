@@ -227,6 +227,13 @@ class TokenStream {
   }
   bool is_held() const { return hold_.held && blocks_.size() <= hold_.blocks; }
   void settle();
+  void settle_step_by_step();
+  void show(const Token& token, std::uint32_t index) {
+    next_ = &token;
+    next_index_ = index;
+    next_value_ = nullptr;
+    settled_ = true;
+  }
   bool settle_name(const Token& name);
   bool settle_prefixed_name();
   bool settle_as(const Token& name, std::uint32_t index, const Scopes::Binding* binding, bool prefixed);

@@ -60,7 +60,9 @@ void TextureTable::grow() {
 }
 
 std::uint32_t TextureTable::add(const TexturePtr& texture, const Transform& place) {
-  entries_.push_back({texture, place.inverse()});
+  PlacedTexture& entry = entries_.emplace_back();
+  entry.texture = texture;
+  if (!place.is_identity()) entry.to_texture = place.inverse();
   kinds_.push_back(surface_kind(*texture));
   return static_cast<std::uint32_t>(entries_.size() - 1);
 }
