@@ -147,22 +147,23 @@ Interpreter::Argument Interpreter::parse_argument(bool parameter) {
       return result;
     }
   }
-  Token first;
+  const Token* next = nullptr;
   Scopes::Binding name;
   {
     const Release release(*this);
-    first = peek();
-    if (first.kind == TokenKind::identifier) {
+    next = &peek();
+    if (next->kind == TokenKind::identifier) {
       if (peek_value() == nullptr) {
         if (accept_word("dictionary")) {
-          result.value = parse_dictionary(first);
+          result.value = parse_dictionary(*next);
           return result;
         }
-        fail(first.location, "expected a value, found " + describe_next());
+        fail(next->location, "expected a value, found " + describe_next());
       }
       name = peek_binding();
     }
   }
+  const Token& first = *next;
   const bool by_reference = parameter && name.slot && name.scope <= caller;
   const bool called = name.slot && at_call(*this) && raw_next().is(Punctuation::left_paren);
   if (name.slot && !called && !std::holds_alternative<Numbers>(*name.slot)) {

@@ -77,7 +77,14 @@ void TokenStream::settle_step_by_step() {
 bool TokenStream::settle_name(const Token& name) {
   const std::uint32_t index = frames_.back().position++;
   note_statement(index);
-  return settle_as(name, index, scopes_.find(name.symbol), false);
+  const Scopes::Binding* const binding = scopes_.find(name.symbol);
+  if (binding != nullptr && std::holds_alternative<Numbers>(*binding->slot) && deprecated_.empty()) {  // most of them
+    show(name, index);
+    next_value_ = binding->slot.get();
+    next_scope_ = binding->scope;
+    return true;
+  }
+  return settle_as(name, index, binding, false);
 }
 
 bool TokenStream::settle_prefixed_name() {
