@@ -43,7 +43,7 @@ Frame::Frame(const render::TraceContext& context, render::Film& film, const Trac
                  options.scheme == nullptr ? render::PrimaryTiles::Order::square_by_square
                                            : render::PrimaryTiles::Order::coarse_to_fine,
                  options.antialias),
-      alone_(options.threads == 1),
+      threads_(options.threads),
       next_checkpoint_(options.checkpoint_rays),
       workers_(options.threads) {
   const std::int64_t most = bound_.at_stake(primary_task());
@@ -83,7 +83,7 @@ void Frame::lit(const PrimaryOrder::Batch& batch) {
 }
 
 void Frame::add(std::span<const render::Contribution> light) {
-  film_.add(light, alone_);
+  film_.add(light, threads_);
   std::int64_t change = 0;
   for (const render::Contribution& contribution : light) change += contribution.outstanding;
   remaining_.fetch_add(without_low_bits(change, left_out_), std::memory_order_relaxed);

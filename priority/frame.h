@@ -91,7 +91,7 @@ class Frame {
   const TraceOptions options_;
   const render::RadianceBound bound_;
   PrimaryOrder primaries_;
-  const bool alone_;
+  const int threads_;
   const Clock::time_point begin_ = Clock::now();
   std::atomic<std::uint32_t> tiles_lit_ = 0;
   std::atomic<std::uint32_t> coarse_tiles_lit_ = 0;

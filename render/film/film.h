@@ -3,10 +3,11 @@
 #include "render/math/color.h"
 #include "render/math/fixed_rgb.h"
 
+#include <tbb/spin_mutex.h>
+
 #include <array>
 #include <atomic>
 #include <cstdint>
-#include <mutex>
 #include <span>
 #include <vector>
 
@@ -31,8 +32,8 @@ class Film {
   void expect(std::int64_t most) { expect(most, -most); }
   /// The same where no sample ends below `least`.
   void expect(std::int64_t most, std::int64_t least);
-  /// `alone`: no other thread adds meanwhile, so plain additions will do.
-  void add(std::span<const Contribution> contributions, bool alone);
+  /// `threads`: how many may add at the same time.
+  void add(std::span<const Contribution> contributions, int threads);
   /// Asks the processor to have the sample's sums at hand, for they lie anywhere in memory.
   void fetch(std::uint32_t sample) const { __builtin_prefetch(&samples_[sample], 1); }
   /// The light of the primary ray of `sample` is on the film.
@@ -93,13 +94,14 @@ class Film {
 
   /// Samples whose sums one thread at a time changes: some rows of the picture.
   struct alignas(64) Stripe {
-    std::mutex mutex;
+    tbb::spin_mutex mutex;
   };
   static constexpr std::size_t kStripes = 64;
   static constexpr std::size_t kMostAtOnce = 1024;
-  static std::size_t stripe_of(std::uint32_t sample) { return sample >> 12 & (kStripes - 1); }
+  void add_plainly(std::span<const Contribution> contributions);
   void add_plainly(const Contribution& contribution);
-  void add_by_stripes(std::span<const Contribution> contributions);
+  /// `stripes`: a power of two, at most kStripes.
+  void add_by_stripes(std::span<const Contribution> contributions, std::uint32_t stripes);
 
   std::size_t index(int x, int y) const {
     return static_cast<std::size_t>(y) * static_cast<std::size_t>(width_) + static_cast<std::size_t>(x);

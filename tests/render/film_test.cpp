@@ -25,35 +25,39 @@ std::vector<Contribution> random_light(std::uint32_t samples, std::size_t count)
 TEST(Film, SumsDoNotDependOnTheOrder) {
   std::vector<Contribution> light = random_light(6, 5000);
   Film forwards(3, 2);
-  forwards.add(light, true);
+  forwards.add(light, 1);
   std::reverse(light.begin(), light.end());
   Film backwards(3, 2);
-  backwards.add(light, true);
+  backwards.add(light, 1);
   EXPECT_EQ(forwards.snapshot(), backwards.snapshot());
 }
 
 TEST(Film, ThreadsAddToTheSameSums) {
-  const std::vector<Contribution> light = random_light(6, 20000);
-  Film alone(3, 2);
-  alone.add(light, true);
-  Film shared(3, 2);
-  const std::size_t half = light.size() / 2;
-  std::thread other([&] { shared.add(std::span(light).first(half), false); });
-  shared.add(std::span(light).subspan(half), false);
-  other.join();
-  EXPECT_EQ(alone.snapshot(), shared.snapshot());
+  constexpr int kWidth = 256;
+  constexpr int kHeight = 128;
+  const std::vector<Contribution> light = random_light(kWidth * kHeight, 100'000);
+  Film alone(kWidth, kHeight);
+  alone.add(light, 1);
+  for (const int threads : {2, 5, 100}) {
+    Film shared(kWidth, kHeight);
+    const std::size_t half = light.size() / 2;
+    std::thread other([&] { shared.add(std::span(light).first(half), threads); });
+    shared.add(std::span(light).subspan(half), threads);
+    other.join();
+    EXPECT_EQ(alone.snapshot(), shared.snapshot()) << threads;
+  }
 }
 
 TEST(Film, TakingBackWhatWasAddedLeavesNothing) {
   Film film(1, 1);
   const Rgb light(0.1f, 1.0f / 3.0f, 1e-7f);
-  film.add(std::vector<Contribution>{{0, FixedRgb::from(light)}, {0, FixedRgb::from(-light)}}, true);
+  film.add(std::vector<Contribution>{{0, FixedRgb::from(light)}, {0, FixedRgb::from(-light)}}, 1);
   EXPECT_EQ(film.color(0, 0), Rgb(0.0f));
 }
 
 TEST(Film, SampleNumbersRunAlongRowsFromTheTop) {
   Film film(3, 2);
-  film.add(std::vector<Contribution>{{4, FixedRgb::from(Rgb(0.5f))}}, true);
+  film.add(std::vector<Contribution>{{4, FixedRgb::from(Rgb(0.5f))}}, 1);
   EXPECT_EQ(film.color(1, 1), Rgb(0.5f));
   EXPECT_EQ(film.color(1, 0), Rgb(0.0f));
 }
@@ -95,20 +99,20 @@ TEST(Film, APixelInRefinementShowsTheMeanOfWhatIsComplete) {
   const std::int64_t most = FixedRgb::from(Rgb(2.0f)).r;
   film.expect(most, 0);
   film.begin_refinement(2);
-  film.add(std::vector<Contribution>{{0, FixedRgb::from(Rgb(1.0f)), -most}}, true);
+  film.add(std::vector<Contribution>{{0, FixedRgb::from(Rgb(1.0f)), -most}}, 1);
   film.begin_samples(std::vector<std::uint32_t>{0, 0});
   film.average(0, 1, 2);
   EXPECT_EQ(film.color(0, 0), Rgb(1.0f));
   EXPECT_EQ(film.outstanding(0, 0), 1.0);
-  film.add(std::vector<Contribution>{{1, FixedRgb::from(Rgb(0.5f)), -most}}, true);
+  film.add(std::vector<Contribution>{{1, FixedRgb::from(Rgb(0.5f)), -most}}, 1);
   EXPECT_EQ(film.color(0, 0), Rgb(0.75f));
   // The third sample ends between 0 and 2, and so the mean between 1.5 / 3 and 3.5 / 3.
   EXPECT_GE(film.outstanding(0, 0), 3.5 / 3 - 0.75);
   EXPECT_LE(film.outstanding(0, 0), 1.25);
   // Half traced, it is not shown.
-  film.add(std::vector<Contribution>{{2, FixedRgb::from(Rgb(0.25f)), -most / 2}}, true);
+  film.add(std::vector<Contribution>{{2, FixedRgb::from(Rgb(0.25f)), -most / 2}}, 1);
   EXPECT_EQ(film.color(0, 0), Rgb(0.75f));
-  film.add(std::vector<Contribution>{{2, FixedRgb::from(Rgb(1.25f)), -most / 2}}, true);
+  film.add(std::vector<Contribution>{{2, FixedRgb::from(Rgb(1.25f)), -most / 2}}, 1);
   EXPECT_EQ(film.color(0, 0), Rgb(1.0f));
   EXPECT_EQ(film.outstanding(0, 0), 0.0);
 }
@@ -117,7 +121,7 @@ TEST(Film, SamplesBeyondThePixelsBeginAnew) {
   Film film(2, 1);
   film.begin_refinement(2);
   film.begin_samples(std::vector<std::uint32_t>{1, 0});
-  film.add(std::vector<Contribution>{{2, FixedRgb::from(Rgb(1.0f))}, {3, FixedRgb::from(Rgb(2.0f))}}, true);
+  film.add(std::vector<Contribution>{{2, FixedRgb::from(Rgb(1.0f))}, {3, FixedRgb::from(Rgb(2.0f))}}, 1);
   film.mark_lit(3);
   EXPECT_EQ(film.sample_color(3), Rgb(2.0f));
   EXPECT_EQ(film.pixel_of(2), 1u);
