@@ -186,9 +186,16 @@ HWY_INLINE Vec mirrored_at(const HitBlock& block, std::size_t i) {
 }
 
 /// The lanes whose bit is set, from bit 0 on.
-HWY_INLINE auto lanes_of(std::uint64_t bits) {
+HWY_INLINE Mask lanes_of(std::uint64_t bits) {
   const U d;
-  return hn::Ne(hn::And(hn::Set(d, bits), hn::Shl(hn::Set(d, 1), hn::Iota(d, 0))), hn::Zero(d));
+  return hn::RebindMask(D(), hn::Ne(hn::And(hn::Set(d, bits), hn::Shl(hn::Set(d, 1), hn::Iota(d, 0))), hn::Zero(d)));
+}
+
+/// False for black, for what is too faint for PackedRgb, and where a channel is endless or not a number: that is black.
+HWY_INLINE Mask is_some(const Vec& color) {
+  const D d;
+  const V size = hn::Add(hn::Add(hn::Abs(color.x), hn::Abs(color.y)), hn::Abs(color.z));
+  return hn::And(hn::Ge(size, hn::Set(d, 0x1p-110)), hn::Lt(size, hn::Set(d, 0x1p127)));
 }
 
 template <class M>
@@ -205,9 +212,9 @@ struct AtStake {
 
   HWY_INLINE AtStake() : sum{hn::Zero(I()), hn::Zero(I()), hn::Zero(I())}, feelers(hn::Zero(I())) {}
   template <class Feelers>
-  HWY_INLINE void add(Feelers feelers_there, const Triple<hn::VFromD<I>>& steps) {
+  HWY_INLINE void add(Feelers is_feeler, const Triple<hn::VFromD<I>>& steps) {
     const I di;
-    const auto there = hn::RebindMask(di, feelers_there);
+    const auto there = hn::RebindMask(di, is_feeler);
     const auto size = [&](auto v) HWY_ATTR { return hn::IfThenElseZero(there, hn::Abs(v)); };
     sum = sum + Triple<hn::VFromD<I>>{size(steps.x), size(steps.y), size(steps.z)};
     feelers = hn::Add(feelers, hn::IfThenElseZero(there, hn::Set(di, 1)));
@@ -238,6 +245,7 @@ void light_hits_of(HitBlock& block, std::span<const Light> lights) {
     Lit lit;
     lit.used = hn::FirstN(d, block.size - i);
     auto sum = load(block.sum, i);
+    Vec sure{hn::Zero(d), hn::Zero(d), hn::Zero(d)};  // light that no feeler takes back
     AtStake at_stake;
     for (std::size_t l = 0; l < lights.size(); ++l) {
       const Light& light = lights[l];
@@ -260,27 +268,28 @@ void light_hits_of(HitBlock& block, std::span<const Light> lights) {
       const Mask shines =
           hn::Ge(hn::Max(hn::Abs(color.x), hn::Max(hn::Abs(color.y), hn::Abs(color.z))), hn::Set(d, kNegligible));
       color = only_where(shines, color * term);
+      const Mask is_light = hn::And(lit.used, is_some(color));
       if (light.shadowless) {
-        sum = sum + Triple<hn::VFromD<I>>{fixed_of(d, color.x), fixed_of(d, color.y), fixed_of(d, color.z)};
-      } else {
-        const Mantissas<D> mantissas = mantissas_of(d, color);
-        const auto all_bits = packed(d, mantissas);
-        const auto is_clear = lanes_of(block.foreseen[l].clear >> i);
-        const auto is_blocked = lanes_of(block.foreseen[l].blocked >> i);
-        const auto is_feeler = hn::And(hn::Ne(all_bits, hn::Zero(U())), hn::RebindMask(U(), lit.used));
-        block.clear_feelers += hn::CountTrue(U(), hn::And(is_feeler, is_clear));
-        block.blocked_feelers += hn::CountTrue(U(), hn::And(is_feeler, is_blocked));
-        auto steps = fixed(d, mantissas);
-        const auto stays = hn::RebindMask(I(), hn::Not(is_blocked));
-        steps = {hn::IfThenElseZero(stays, steps.x), hn::IfThenElseZero(stays, steps.y),
-                 hn::IfThenElseZero(stays, steps.z)};
-        sum = sum + steps;
-        const auto is_open = hn::AndNot(hn::Or(is_clear, is_blocked), is_feeler);
-        at_stake.add(is_open, steps);
-        block.open[l] |= std::uint64_t{bits_of(is_open)} << i;
-        store(all_bits, block.light[l], i);
+        sure = sure + only_where(is_light, color);
+        continue;
       }
+      const Mask is_clear = lanes_of(block.foreseen[l].clear >> i);
+      const Mask is_blocked = lanes_of(block.foreseen[l].blocked >> i);
+      block.clear_feelers += hn::CountTrue(d, hn::And(is_light, is_clear));
+      block.blocked_feelers += hn::CountTrue(d, hn::And(is_light, is_blocked));
+      sure = sure + only_where(hn::And(is_light, is_clear), color);
+      const Mask is_open = hn::AndNot(hn::Or(is_clear, is_blocked), is_light);
+      if (!any(is_open)) continue;
+      const Mantissas<D> mantissas = mantissas_of(d, only_where(is_open, color));
+      const auto steps = fixed(d, mantissas);
+      const auto bits = packed(d, mantissas);
+      const auto is_feeler = hn::Ne(bits, hn::Zero(U()));
+      sum = sum + steps;
+      at_stake.add(is_feeler, steps);
+      block.open[l] |= std::uint64_t{bits_of(is_feeler)} << i;
+      store(bits, block.light[l], i);
     }
+    sum = sum + Triple<hn::VFromD<I>>{fixed_of(d, sure.x), fixed_of(d, sure.y), fixed_of(d, sure.z)};
     store(sum, block.sum, i);
     store(at_stake.most(block.feelers_may_gain), block.at_stake, i);
   }

@@ -229,7 +229,14 @@ TEST(LightBlock, NoFeelerIsHeldWhereItsEndIsForeseen) {
       const bool is_blocked = (foreseen.blocked >> i & 1u) != 0;
       FixedRgb expected = sum_of(*traced, i);
       if (is_blocked) expected -= FixedRgb::from(all);
-      EXPECT_EQ(sum_of(*block, i), expected);
+      if (is_clear) {
+        // What no feeler takes back has not been rounded to what a feeler can hold.
+        FixedRgb difference = sum_of(*block, i);
+        difference -= expected;
+        EXPECT_LE(difference.max_magnitude(), (FixedRgb::from(all).max_magnitude() >> 17) + 2);
+      } else {
+        EXPECT_EQ(sum_of(*block, i), expected);
+      }
       EXPECT_EQ(held(*block, 0, i).bits(), held(*traced, 0, i).bits());
       EXPECT_EQ(held(*block, 1, i).bits(), is_clear || is_blocked ? 0 : all.bits());
       clear += is_clear && all.bits() != 0;
