@@ -1,8 +1,35 @@
 #include "priority/open_blocks.h"
 
+#include <algorithm>
 #include <utility>
 
 namespace firstlight::priority {
+
+// With a small budget none: what one worker keeps, the others cannot use.
+OpenBlocks::OpenBlocks(BlockPool& pool, RayQueue& queue)
+    : pool_(pool),
+      queue_(queue),
+      most_spare_(pool.budget() == 0 ? kMostSpare : std::min(kMostSpare, pool.budget() / pool.block_bytes() / 4096)),
+      open_{} {}
+
+OpenBlocks::~OpenBlocks() {
+  while (spare_count_ > 0) pool_.release(spare_[--spare_count_]);
+}
+
+Block* OpenBlocks::acquire() {
+  if (spare_count_ == 0) return pool_.acquire();
+  Block* const block = spare_[--spare_count_];
+  block->count = 0;
+  return block;
+}
+
+void OpenBlocks::release(Block* block) {
+  if (spare_count_ < most_spare_) {
+    spare_[spare_count_++] = block;
+  } else {
+    pool_.release(block);
+  }
+}
 
 void OpenBlocks::scatter(std::span<const render::RayTask> tasks, std::span<const Key> keys,
                          std::vector<render::RayTask>& overflow) {
@@ -10,7 +37,7 @@ void OpenBlocks::scatter(std::span<const render::RayTask> tasks, std::span<const
     const Slot slot = slot_of(keys[i], tasks[i].kind);
     Block* block = open_[slot];
     if (block == nullptr) {
-      block = pool_.acquire();
+      block = acquire();
       if (block == nullptr) {
         overflow.push_back(tasks[i]);
         continue;

@@ -5,6 +5,7 @@
 #include "priority/slot.h"
 
 #include <array>
+#include <cstddef>
 #include <cstdint>
 #include <span>
 #include <vector>
@@ -17,7 +18,10 @@ namespace firstlight::priority {
 /// Threads  One a thread.
 class OpenBlocks {
  public:
-  OpenBlocks(BlockPool& pool, RayQueue& queue) : pool_(pool), queue_(queue), open_{} {}
+  OpenBlocks(BlockPool& pool, RayQueue& queue);
+  ~OpenBlocks();
+  OpenBlocks(const OpenBlocks&) = delete;
+  OpenBlocks& operator=(const OpenBlocks&) = delete;
 
   /// Copies each task to the block of its key. Tasks for which the pool has no block left are appended to `overflow`.
   /// Pre: equal sizes, keys below kBuckets.
@@ -27,6 +31,9 @@ class OpenBlocks {
   int top(Among among = Among::all) const { return used_.top(among); }
   /// Removes and returns the open block of `slot`. Pre: there is one.
   Block* take(Slot slot);
+  /// Takes back a block that take() or the queue gave. A few are kept for scatter(), because they are still in this
+  /// processor's cache; the others go to the pool.
+  void release(Block* block);
   /// Gives all open blocks to the queue.
   void flush();
   /// The version of the order that the next tasks have their keys of. Gives all open blocks to the queue.
@@ -36,8 +43,15 @@ class OpenBlocks {
   }
 
  private:
+  static constexpr std::size_t kMostSpare = 16;
+
+  Block* acquire();
+
   BlockPool& pool_;
   RayQueue& queue_;
+  const std::size_t most_spare_;
+  std::size_t spare_count_ = 0;
+  std::array<Block*, kMostSpare> spare_;
   std::array<Block*, kSlots> open_;
   SlotSet used_;
   std::uint64_t version_ = 0;

@@ -52,7 +52,7 @@ void Worker::rekey_block() {
   Block* const block = queue_.pop_stale();
   if (block == nullptr) return;
   stale_.assign(block->tasks, block->tasks + block->count);
-  pool_.release(block);
+  open_.release(block);
   queue_tasks(stale_);
   queue_.rekeyed(static_cast<std::uint32_t>(stale_.size()));
 }
@@ -94,7 +94,7 @@ void Worker::trace_block(const RayQueue::Popped& popped) {
   stepper_.step(popped.block->span());
   frame_.add(stepper_.light());
   scheme_->learn(popped.block->span(), stepper_.light(), stepper_.spawned());
-  pool_.release(popped.block);
+  open_.release(popped.block);
   keep_spawned(taken);
 }
 
