@@ -91,17 +91,31 @@ void Frame::add(std::span<const render::Contribution> light) {
 
 void Frame::traced(const render::RayCounts& counts, render::RayCounts& reported) {
   const render::RayCounts more = counts - reported;
-  std::uint64_t total = 0;
-  for (std::size_t kind = 0; kind < traced_.size(); ++kind) {
-    total += traced_[kind].fetch_add(more.by_kind[kind], std::memory_order_relaxed) + more.by_kind[kind];
-  }
-  total -= clear_.fetch_add(more.clear, std::memory_order_relaxed) + more.clear;
-  total -= blocked_.fetch_add(more.blocked, std::memory_order_relaxed) + more.blocked;
   reported = counts;
-  if (options_.checkpoint_rays == 0 || total < next_checkpoint_.load(std::memory_order_relaxed)) return;
+  // Others look at these numbers and change them: those that stay are left alone.
+  const auto add = [](std::atomic<std::uint64_t>& sum, std::uint64_t n) {
+    if (n > 0) sum.fetch_add(n, std::memory_order_relaxed);
+  };
+  for (std::size_t kind = 0; kind < traced_.size(); ++kind) add(traced_[kind], more.by_kind[kind]);
+  add(clear_, more.clear);
+  add(blocked_, more.blocked);
+  if (options_.checkpoint_rays == 0 ||
+      traced().traced() < next_checkpoint_.load(std::memory_order_relaxed)) {
+    return;
+  }
   if (checkpoint_due_.exchange(true)) return;
   const std::lock_guard lock(mutex_);
   event_.notify_all();
+}
+
+render::RayCounts Frame::traced() const {
+  render::RayCounts counts;
+  for (std::size_t kind = 0; kind < traced_.size(); ++kind) {
+    counts.by_kind[kind] = traced_[kind].load(std::memory_order_relaxed);
+  }
+  counts.clear = clear_.load(std::memory_order_relaxed);
+  counts.blocked = blocked_.load(std::memory_order_relaxed);
+  return counts;
 }
 
 void Frame::popped(Key key) {
@@ -215,11 +229,7 @@ Progress Frame::progress(const RayQueue& queue, const BlockPool& pool) const {
   Progress progress;
   progress.tiles_done = tiles_lit_.load(std::memory_order_relaxed);
   progress.tiles = primaries_.tiles().count();
-  for (std::size_t kind = 0; kind < traced_.size(); ++kind) {
-    progress.traced.by_kind[kind] = traced_[kind].load(std::memory_order_relaxed);
-  }
-  progress.traced.clear = clear_.load(std::memory_order_relaxed);
-  progress.traced.blocked = blocked_.load(std::memory_order_relaxed);
+  progress.traced = traced();
   progress.rays_waiting = queue.waiting();
   progress.queue_bytes = pool.bytes();
   progress.key = key_.load(std::memory_order_relaxed);

@@ -38,6 +38,7 @@ class Frame {
   void expect_light(const render::RayTask& task) const { film_.fetch(task.sample); }
   /// A worker has traced `counts` so far, of which it has `reported` some before; they become equal.
   void traced(const render::RayCounts& counts, render::RayCounts& reported);
+  render::RayCounts traced() const;
   void popped(Key key);
 
   /// Whether the workers are to leave: somebody asked for it, an aim is reached, or one of them failed.

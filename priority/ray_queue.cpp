@@ -155,11 +155,10 @@ RayQueue::Rekeying RayQueue::rekeying() const {
 }
 
 void RayQueue::count(std::uint64_t spawned, std::uint64_t taken) {
-  const std::uint64_t with_new = waiting_.fetch_add(spawned, std::memory_order_relaxed) + spawned;
+  const std::uint64_t with_new = waiting_.fetch_add(spawned - taken, std::memory_order_relaxed) + spawned;
   std::uint64_t peak = peak_rays_.load(std::memory_order_relaxed);
   while (with_new > peak && !peak_rays_.compare_exchange_weak(peak, with_new, std::memory_order_relaxed)) {
   }
-  waiting_.fetch_sub(taken, std::memory_order_relaxed);
 }
 
 }  // namespace firstlight::priority

@@ -112,8 +112,14 @@ RayQueue::Popped Worker::next_block() {
     if (const RayQueue::Popped shared = queue_.pop(mine); shared.block != nullptr) return shared;
   }
   if (mine != kNoSlot) return {open_.take(static_cast<Slot>(mine)), static_cast<Slot>(mine)};
-  shared_.tops[number_].store(kNoSlot, std::memory_order_relaxed);
+  show_top(kNoSlot);
   return queue_.wait_and_pop([this] { return frame_.primaries().top() != kNoSlot || frame_.primaries().refill(); });
+}
+
+// Others look at it all the time, so it is changed only when it has to be.
+void Worker::show_top(int slot) {
+  std::atomic<int>& shown = shared_.tops[number_];
+  if (shown.load(std::memory_order_relaxed) != slot) shown.store(slot, std::memory_order_relaxed);
 }
 
 void Worker::keep_spawned(std::uint64_t taken) {
@@ -127,7 +133,7 @@ void Worker::queue_tasks(std::span<const render::RayTask> tasks) {
   scheme_->keys(tasks, keys_);
   overflow_.clear();
   open_.scatter(tasks, keys_, overflow_);
-  shared_.tops[number_].store(open_.top(), std::memory_order_relaxed);
+  show_top(open_.top());
   if (overflow_.empty()) return;
   queue_.count(0, render::ray_count(overflow_));
   depth_first_.run(overflow_);

@@ -54,6 +54,7 @@ class Worker {
   void trace_primaries();
   void trace_block(const RayQueue::Popped& popped);
   RayQueue::Popped next_block();
+  void show_top(int slot);
   /// Queues what the last step spawned; `taken` rays had left the queue for it.
   void keep_spawned(std::uint64_t taken);
   void queue_tasks(std::span<const render::RayTask> tasks);
