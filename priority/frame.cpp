@@ -99,8 +99,7 @@ void Frame::traced(const render::RayCounts& counts, render::RayCounts& reported)
   for (std::size_t kind = 0; kind < traced_.size(); ++kind) add(traced_[kind], more.by_kind[kind]);
   add(clear_, more.clear);
   add(blocked_, more.blocked);
-  if (options_.checkpoint_rays == 0 ||
-      traced().traced() < next_checkpoint_.load(std::memory_order_relaxed)) {
+  if (options_.checkpoint_rays == 0 || traced().traced() < next_checkpoint_.load(std::memory_order_relaxed)) {
     return;
   }
   if (checkpoint_due_.exchange(true)) return;

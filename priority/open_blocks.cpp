@@ -46,7 +46,11 @@ void OpenBlocks::scatter(std::span<const render::RayTask> tasks, std::span<const
       used_.insert(slot);
     }
     block->tasks[block->count++] = tasks[i];
-    if (block->count == pool_.block_size()) queue_.push(slot, take(slot), version_);
+    if (block->count == pool_.block_size()) {
+      queue_.push(slot, take(slot), version_);
+    } else {
+      __builtin_prefetch(&block->tasks[block->count], 1);  // the next of this key comes when much else has been written
+    }
   }
 }
 
