@@ -15,15 +15,15 @@ namespace firstlight::parser {
 namespace {
 
 /// `sint16be` and its like: how #write stores a number in bytes.
-struct Binary {
+struct BinaryForm {
   Keyword word;
   double low, high;
   int bytes;
   bool big_endian;
 };
 
-const Binary* find_binary(Keyword word) {
-  static constexpr Binary kForms[] = {
+const BinaryForm* find_binary(Keyword word) {
+  static constexpr BinaryForm kForms[] = {
       {Keyword::sint8, -128.0, 127.0, 1, false},
       {Keyword::uint8, 0.0, 255.0, 1, false},
       {Keyword::sint16be, -32768.0, 32767.0, 2, true},
@@ -34,12 +34,12 @@ const Binary* find_binary(Keyword word) {
       {Keyword::sint32le, -2147483648.0, 2147483647.0, 4, false},
   };
   const auto* const found =
-      std::find_if(std::begin(kForms), std::end(kForms), [word](const Binary& form) { return form.word == word; });
+      std::find_if(std::begin(kForms), std::end(kForms), [word](const BinaryForm& form) { return form.word == word; });
   return found == std::end(kForms) ? nullptr : found;
 }
 
 // Rounded, and held within the form's range.
-std::string bytes_of(const Numbers& numbers, const Binary& form) {
+std::string bytes_of(const Numbers& numbers, const BinaryForm& form) {
   std::string result;
   for (std::size_t i = 0; i < numbers.size; ++i) {
     const double number = numbers.values[i] == numbers.values[i] ? numbers.values[i] : 0.0;
@@ -211,7 +211,7 @@ double Interpreter::parse_data_number(DataReader& data) {
 void Interpreter::run_write(const Token& word) {
   Token handle;
   const std::shared_ptr<DataFile> file = take_data_file(word, handle);
-  const Binary* binary = nullptr;
+  const BinaryForm* binary = nullptr;
   while (!peek().is(Punctuation::right_paren)) {
     const Token& at = peek();
     if (at.is(Punctuation::comma)) {
@@ -220,7 +220,7 @@ void Interpreter::run_write(const Token& word) {
       continue;
     }
     std::string text;
-    if (const Binary* form = at.kind == TokenKind::keyword ? find_binary(at.keyword) : nullptr) {
+    if (const BinaryForm* form = at.kind == TokenKind::keyword ? find_binary(at.keyword) : nullptr) {
       take();
       binary = form;
     } else if (at_string(*this)) {

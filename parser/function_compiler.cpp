@@ -21,7 +21,6 @@ namespace firstlight::parser {
 
 namespace {
 
-using render::Operation;
 using render::Program;
 
 constexpr int kDeepest = 200;
@@ -29,6 +28,8 @@ constexpr std::string_view kTooLarge = "the expression is too large";
 
 class Compiler {
  public:
+  using Operation = render::Operation;
+
   Compiler(std::span<const Token> tokens, const FunctionScope& scope) : tokens_(tokens), scope_(scope) {}
 
   std::shared_ptr<const Program> run() {

@@ -10,8 +10,8 @@ namespace firstlight::render {
 namespace {
 
 /// Points at a time: enough to make an instruction's dispatch cheap, few enough to keep the stack in the cache.
-constexpr std::size_t kLanes = 32;
-using Row = std::array<double, kLanes>;
+constexpr std::size_t kPointsAtOnce = 32;
+using Row = std::array<double, kPointsAtOnce>;
 
 bool is_flat(std::span<const Instruction> instructions) {
   return std::none_of(instructions.begin(), instructions.end(), [](const Instruction& i) {
@@ -155,8 +155,8 @@ void Program::evaluate_one_by_one(std::span<const std::span<const double>> argum
 void Program::evaluate(std::span<const std::span<const double>> arguments, std::span<double> results) const {
   if (!flat_) return evaluate_one_by_one(arguments, results);
   std::array<Row, kDeepest> stack;
-  for (std::size_t begin = 0; begin < results.size(); begin += kLanes) {
-    const std::size_t count = std::min(kLanes, results.size() - begin);
+  for (std::size_t begin = 0; begin < results.size(); begin += kPointsAtOnce) {
+    const std::size_t count = std::min(kPointsAtOnce, results.size() - begin);
     std::size_t size = 0;
     for (const Instruction& instruction : instructions_) {
       const auto taken = static_cast<std::size_t>(operands(instruction.operation));

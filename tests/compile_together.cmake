@@ -1,0 +1,54 @@
+# compile_together(TARGET FILES...): has the compiler read the files in groups, so that what they include is read and
+# instantiated once a group. Files stay as free in their names as they are alone: two that declare the same name outside
+# of a class (most are in unnamed namespaces) go to different groups. Files that are compiled in their own way
+# (COMPILE_OPTIONS) are left alone by CMake.
+set(FIRSTLIGHT_TOGETHER 10 CACHE STRING "Most files in a group")
+mark_as_advanced(FIRSTLIGHT_TOGETHER)
+
+# The names that lines of `file` begin to declare: the last word before what cannot stand in a name or a type. Not
+# namespaces, what is declared elsewhere (a::b), or macros.
+function(names_declared file result)
+  file(READ "${file}" text)
+  string(REGEX MATCHALL "\n[A-Za-z_]([A-Za-z0-9_<>,&* ]|::)*" heads "${text}")
+  set(names "")
+  foreach(head IN LISTS heads)
+    string(REGEX REPLACE "( final)? +$" "" head "${head} ")
+    if(head MATCHES "^.(namespace|using namespace|template|extern)( |$)" OR
+        head MATCHES "::[A-Za-z0-9_]+$" OR head MATCHES "^.[A-Z0-9_]+$")
+      continue()
+    endif()
+    string(REGEX MATCH "[A-Za-z0-9_]+$" name "${head}")
+    list(APPEND names ${name})
+  endforeach()
+  set(${result} "${names}" PARENT_SCOPE)
+endfunction()
+
+function(compile_together target)
+  set_target_properties(${target} PROPERTIES UNITY_BUILD ON UNITY_BUILD_MODE GROUP)
+  # A name that is declared anew may be in the way of the groups.
+  set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${ARGN})
+  set(groups 0)
+  foreach(file IN LISTS ARGN)
+    names_declared("${file}" names)
+    set(group 0)
+    while(group LESS groups)
+      if(size_${group} LESS FIRSTLIGHT_TOGETHER)
+        set(common ${names_${group}})
+        set(others ${common})
+        list(REMOVE_ITEM others ${names} "")
+        if("${others}" STREQUAL "${common}")
+          break()
+        endif()
+      endif()
+      math(EXPR group "${group} + 1")
+    endwhile()
+    if(group EQUAL groups)
+      math(EXPR groups "${groups} + 1")
+      set(size_${group} 0)
+      set(names_${group} "")
+    endif()
+    math(EXPR size_${group} "${size_${group}} + 1")
+    list(APPEND names_${group} ${names})
+    set_source_files_properties("${file}" PROPERTIES UNITY_GROUP "${group}")
+  endforeach()
+endfunction()
