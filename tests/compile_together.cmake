@@ -2,8 +2,7 @@
 # instantiated once a group. Files stay as free in their names as they are alone: two that declare the same name outside
 # of a class (most are in unnamed namespaces) go to different groups. Files that are compiled in their own way
 # (COMPILE_OPTIONS) are left alone by CMake.
-set(FIRSTLIGHT_TOGETHER 10 CACHE STRING "Most files in a group")
-mark_as_advanced(FIRSTLIGHT_TOGETHER)
+set(most_together 10)
 
 # The names that lines of `file` begin to declare: the last word before what cannot stand in a name or a type. Not
 # namespaces, what is declared elsewhere (a::b), or macros.
@@ -32,7 +31,7 @@ function(compile_together target)
     names_declared("${file}" names)
     set(group 0)
     while(group LESS groups)
-      if(size_${group} LESS FIRSTLIGHT_TOGETHER)
+      if(size_${group} LESS most_together)
         set(common ${names_${group}})
         set(others ${common})
         list(REMOVE_ITEM others ${names} "")
