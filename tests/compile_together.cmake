@@ -1,7 +1,7 @@
 # compile_together(TARGET FILES...): has the compiler read the files in groups, so that what they include is read and
 # instantiated once a group. Files stay as free in their names as they are alone: two that declare the same name outside
-# of a class (most are in unnamed namespaces) go to different groups. Files that are compiled in their own way
-# (COMPILE_OPTIONS) are left alone by CMake.
+# of a class (most are in unnamed namespaces) go to different groups. Only a name of a header of the same namespace is
+# taken even where the header is not included; the compiler tells. Files with COMPILE_OPTIONS are compiled alone.
 set(most_together 10)
 
 # The names that lines of `file` begin to declare: the last word before what cannot stand in a name or a type. Not
