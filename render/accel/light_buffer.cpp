@@ -10,7 +10,10 @@ constexpr int kMostCells = 512;  ///< along an edge
 constexpr int kFewestCells = 4 * LightBuffer::kTile;
 constexpr std::size_t kMostTiles = std::size_t{1} << 17;      ///< of all cubes: to stay near the processor
 constexpr std::size_t kMostOpenTiles = std::size_t{1} << 13;  ///< with cells of their own
-constexpr std::size_t kMostMarks = std::size_t{4} << 20;      ///< things seen through cells
+/// Things seen through cells: building must take little time beside tracing.
+constexpr std::size_t kMostMarks = std::size_t{4} << 20;
+constexpr std::size_t kFewMarks = std::size_t{1} << 16;  ///< for a scene of a few things
+constexpr std::size_t kMarksOfOne = 32;                  ///< more for each thing and light
 /// What is seen through so few cells is not looked at more closely.
 constexpr std::size_t kFewCells = 4;
 
@@ -49,6 +52,12 @@ class LightBuffer::Builder {
  public:
   Builder(LightBuffer& buffer, const Leaves& leaves) : buffer_(buffer), leaves_(leaves) {}
 
+  /// How many marks all that is seen from a light would take; not much more than `most`, if it would be more.
+  std::size_t measure(const Vec3& light, std::size_t most) {
+    light_ = light;
+    return leaves_.tree.nodes().empty() ? 0 : measure_children(0, most);
+  }
+
   /// False: there is too much to be marked.
   bool mark_cube(std::size_t number, const Vec3& light) {
     first_tile_ = number * buffer_.tiles_of_cube();
@@ -64,6 +73,47 @@ class LightBuffer::Builder {
     float dark = FloatBox::kInfinity;
     std::uint32_t sphere = kNoIndex;
   };
+
+  std::size_t measure_children(std::size_t node, std::size_t most) const {
+    const WideNode& opened = leaves_.tree.nodes()[node];
+    std::size_t marks = 0;
+    for (std::size_t slot = 0; slot < kTreeWidth && marks < most; ++slot) {
+      const FloatBox box = box_at(opened.bounds, slot);
+      if (box.low[0] > box.high[0]) continue;
+      const ChildRef ref = opened.child[slot];
+      const std::size_t cells = CubeCells::count_of(seen_through(box));
+      if (cells <= kFewCells) {
+        marks += cells;
+      } else if (ref.kind() == ChildKind::node) {
+        marks += measure_children(ref.index(), most - marks);
+      } else if (ref.kind() == ChildKind::sphere) {
+        const SphereBlock& block = leaves_.sphere_blocks[ref.index()];
+        for (std::size_t lane = 0; lane < kLanes; ++lane) {
+          if (block.radius_squared[lane] >= 0.0 && !is_in(block, lane)) {
+            marks += CubeCells::count_of(seen_through(box_at(block.bounds, lane)));
+          }
+        }
+      } else if (distance_to(box) > 0.0) {
+        marks += cells;
+      }
+    }
+    return marks;
+  }
+
+  /// 0: the light is in it.
+  double distance_to(const FloatBox& box) const {
+    double square = 0.0;
+    for (int axis = 0; axis < 3; ++axis) {
+      const double beside = std::max({box.low[axis] - light_[axis], light_[axis] - box.high[axis], 0.0});
+      square += beside * beside;
+    }
+    return std::sqrt(square);
+  }
+  /// Whether the light is in a sphere.
+  bool is_in(const SphereBlock& block, std::size_t lane) const {
+    const Vec3 way = Vec3(block.center[0][lane], block.center[1][lane], block.center[2][lane]) - light_;
+    return way.dot(way) < block.radius_squared[lane];
+  }
 
   bool mark_children(std::size_t node) {
     const WideNode& opened = leaves_.tree.nodes()[node];
@@ -102,16 +152,12 @@ class LightBuffer::Builder {
 
   /// Something in the box that may be of any form.
   bool mark(const FloatBox& box) {
-    double square = 0.0;
-    for (int axis = 0; axis < 3; ++axis) {
-      const double beside = std::max({box.low[axis] - light_[axis], light_[axis] - box.high[axis], 0.0});
-      square += beside * beside;
-    }
-    if (square == 0.0) {
+    const double distance = distance_to(box);
+    if (distance == 0.0) {
       around_->limit = 0.0;
       return true;
     }
-    return mark(seen_through(box), {static_cast<float>(std::sqrt(square) * kNearer)});
+    return mark(seen_through(box), {static_cast<float>(distance * kNearer)});
   }
 
   bool mark(const CubeCells::Rectangles& cells, const Seen& seen) {
@@ -231,15 +277,8 @@ class LightBuffer::Builder {
 
 LightBuffer::LightBuffer(const Leaves& leaves, std::span<const Light> lights) {
   if (lights.empty() || !all_have_bounds(leaves)) return;
-  spheres_.reserve(leaves.sphere_blocks.size() * kLanes);
-  for (const SphereBlock& block : leaves.sphere_blocks) {
-    for (std::size_t lane = 0; lane < kLanes; ++lane) {
-      spheres_.push_back(
-          {Vec3(block.center[0][lane], block.center[1][lane], block.center[2][lane]), block.radius_squared[lane]});
-    }
-  }
   around_.resize(lights.size());
-  for (int side = kMostCells; side >= kFewestCells; side /= 2) {
+  for (int side = side_for(leaves, lights); side >= kFewestCells; side /= 2) {
     cube_ = CubeCells(side);
     if (lights.size() * tiles_of_cube() > kMostTiles) continue;
     tiles_.assign(lights.size() * tiles_of_cube(), 0);
@@ -248,6 +287,7 @@ LightBuffer::LightBuffer(const Leaves& leaves, std::span<const Light> lights) {
     while (l < lights.size() && builder.mark_cube(l, lights[l].position)) ++l;
     if (l == lights.size()) {
       mark_open_tiles();
+      keep_spheres(leaves);
       return;
     }
     cells_.clear();
@@ -255,10 +295,43 @@ LightBuffer::LightBuffer(const Leaves& leaves, std::span<const Light> lights) {
   tiles_.clear();
 }
 
+int LightBuffer::side_for(const Leaves& leaves, std::span<const Light> lights) {
+  const std::size_t things = leaves.spheres.size() + leaves.boxes.size() + leaves.solids.size();
+  const std::size_t most = std::min(kMostMarks, kFewMarks + kMarksOfOne * things * lights.size());
+  int side = kMostCells;
+  cube_ = CubeCells(side);
+  Builder builder(*this, leaves);
+  // A cube of half as many cells along an edge takes a quarter of the marks; of more than 64 times as many as there may
+  // be, it does not matter how many they are.
+  const std::size_t far_too_many = 64 * most;
+  std::size_t marks = 0;
+  for (const Light& light : lights)
+    marks += builder.measure(light.position, far_too_many - std::min(marks, far_too_many));
+  for (; side > kFewestCells && marks > most; marks /= 4) side /= 2;
+  return side;
+}
+
 void LightBuffer::mark_open_tiles() {
   open_tiles_.resize((tiles_.size() + 31) / 32);
   for (std::size_t t = 0; t < tiles_.size(); ++t) {
     open_tiles_[t / 32] |= static_cast<std::uint32_t>(tiles_[t] != 0) << t % 32;
+  }
+}
+
+// Most are behind others from every light.
+void LightBuffer::keep_spheres(const Leaves& leaves) {
+  std::vector<std::uint32_t> kept(leaves.sphere_blocks.size() * kLanes, kNoIndex);
+  for (Cell& cell : cells_) {
+    if (cell.sphere == kNoIndex) continue;
+    std::uint32_t& place = kept[cell.sphere];
+    if (place == kNoIndex) {
+      const SphereBlock& block = leaves.sphere_blocks[cell.sphere / kLanes];
+      const std::size_t lane = cell.sphere % kLanes;
+      place = static_cast<std::uint32_t>(spheres_.size());
+      spheres_.push_back(
+          {Vec3(block.center[0][lane], block.center[1][lane], block.center[2][lane]), block.radius_squared[lane]});
+    }
+    cell.sphere = place;
   }
 }
 

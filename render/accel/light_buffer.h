@@ -18,10 +18,10 @@ namespace firstlight::render {
 /// Cells    Directions are the cells of a cube around the light, see CubeCells. Cells come in tiles; a tile through
 /// which
 ///          nothing is seen that casts a shadow has no cells of its own.
-/// Cost     built in some ten nanoseconds a cell and thing seen through it, and coarser where that would be too many.
+/// Cost     built in some 30 ns a cell and thing seen through it, and coarser where those would be many for the scene.
 /// Source   after Haines & Greenberg, The Light Buffer: A Shadow-Testing Accelerator, IEEE CG&A 6(9), 1986, whose cells
 ///          list all that is seen through them.
-/// Memory   at most some 10 MB.
+/// Memory   at most some 10 MB, and the spheres that are seen.
 /// Threads  Immutable after construction.
 class LightBuffer {
  public:
@@ -33,7 +33,7 @@ class LightBuffer {
     float first = FloatBox::kInfinity;   ///< nothing is nearer
     float second = FloatBox::kInfinity;  ///< nothing but `sphere` is nearer
     float dark = FloatBox::kInfinity;    ///< all points beyond are in the shadow of one sphere
-    std::uint32_t sphere = kNoIndex;     ///< into spheres(): opaque
+    std::uint32_t sphere = kNoIndex;     ///< into spheres(): the nearest thing, if it is an opaque one
   };
   /// What else may be met, seen from a light.
   struct Around {
@@ -66,7 +66,10 @@ class LightBuffer {
 
  private:
   class Builder;
+  /// The finest cube of which all is soon marked.
+  int side_for(const Leaves& leaves, std::span<const Light> lights);
   void mark_open_tiles();
+  void keep_spheres(const Leaves& leaves);
 
   CubeCells cube_;
   std::vector<std::uint32_t> tiles_;

@@ -3,9 +3,10 @@
 //
 //   convergence SCENE WIDTH HEIGHT SCHEME [SCHEME ...]
 //
-// Prints the area under the curve of the difference from the finished picture (1: black) over the share of rays traced,
-// and the shares of rays after which the difference stays below 5 % and 1 %; the same over seconds of tracing, whose
-// area is in seconds; --curve prints the curves too.
+// Prints the area under the curve of the difference from the finished picture (1: black) over the rays traced, and
+// after how many the difference stays below 5 % and 1 %. Rays are counted as shares of all rays of the picture, of
+// which feelers with an end that is foreseen need not be traced, and as shares of those that are traced. The same over
+// seconds of tracing, whose area is in seconds. --curve prints the curves over the rays that are traced, too.
 #include "app/study/curve.h"
 #include "parser/function_text.h"
 #include "parser/parser.h"
@@ -96,14 +97,15 @@ int main(int argc, char** argv) {
     return result.statistics;
   };
   const render::RayCounts counts = render("contribution", [](const render::Film&, priority::TraceOptions&) {}).rays;
-  fmt::print("{} of {} rays are traced; the others are feelers whose way is known to be clear\n", counts.traced(),
+  fmt::print("{} of {} rays are traced; the others are feelers whose end is foreseen\n", counts.traced(),
              counts.total());
+  const double share_traced = static_cast<double>(counts.traced()) / static_cast<double>(counts.total());
   const std::vector<render::Rgb> reference = finished;
   const render::RemainingDifference difference(reference);
   const double all_rays = rays;
 
-  fmt::print("{:<40} {:>8} {:>6} {:>6} {:>12} {:>8} {:>8} {:>8} {:>8}\n", "scheme", "area", "5 %", "1 %", "peak rays",
-             "seconds", "area, s", "5 %, s", "1 %, s");
+  fmt::print("{:<40} {:>8} {:>6} {:>6} {:>8} {:>6} {:>6} {:>12} {:>8} {:>8} {:>8} {:>8}\n", "scheme", "of all", "5 %",
+             "1 %", "traced", "5 %", "1 %", "peak rays", "seconds", "area, s", "5 %, s", "1 %, s");
   for (std::size_t i = 3; i < arguments.size(); ++i) {
     std::unique_ptr<Watcher> watcher;
     const auto statistics = render(arguments[i], [&](const render::Film& film, priority::TraceOptions& options) {
@@ -114,11 +116,15 @@ int main(int argc, char** argv) {
     watcher->curve.push_back({1.0, 0.0});
     watcher->traced.push_back(statistics.rays);
     watcher->in_time.push_back({statistics.seconds, 0.0});
-    fmt::print("{:<40} {:>8.4f} {:>6.3f} {:>6.3f} {:>12} {:>8.2f} {:>8.4f} {:>8.3f} {:>8.3f}\n", arguments[i],
-               app::area_under(watcher->curve), app::settles_below(watcher->curve, 0.05).value_or(1.0),
-               app::settles_below(watcher->curve, 0.01).value_or(1.0), statistics.peak_rays, statistics.seconds,
-               app::area_under(watcher->in_time), app::settles_below(watcher->in_time, 0.05).value_or(0.0),
-               app::settles_below(watcher->in_time, 0.01).value_or(0.0));
+    const double area = app::area_under(watcher->curve);
+    const double five = app::settles_below(watcher->curve, 0.05).value_or(1.0);
+    const double one = app::settles_below(watcher->curve, 0.01).value_or(1.0);
+    fmt::print(
+        "{:<40} {:>8.4f} {:>6.3f} {:>6.3f} {:>8.4f} {:>6.3f} {:>6.3f} {:>12} {:>8.2f} {:>8.4f} {:>8.3f} {:>8.3f}\n",
+        arguments[i], area * share_traced, five * share_traced, one * share_traced, area, five, one,
+        statistics.peak_rays, statistics.seconds, app::area_under(watcher->in_time),
+        app::settles_below(watcher->in_time, 0.05).value_or(0.0),
+        app::settles_below(watcher->in_time, 0.01).value_or(0.0));
     if (!wants_curve) continue;
     fmt::print("  share of rays, difference, share of primary, reflected, transmitted rays and of feelers\n");
     for (std::size_t p = 0; p < watcher->curve.size(); ++p) {
