@@ -47,8 +47,8 @@ TEST(Contribution, LearnsWhereFeelersAreBlocked) {
   const auto scheme = scheme_of("contribution");
   std::vector<RayTask> tasks;
   std::vector<render::Contribution> light;
-  for (int i = 0; i < 400; ++i) {
-    const bool left = i % 16 < 8;
+  for (int i = 0; i < 1600; ++i) {
+    const bool left = i % 32 < 16;
     tasks.push_back(task(RayKind::shadow, 0.5f, 1, left ? 3 : 90, 10));
     FixedRgb change;
     if (left) change -= FixedRgb::from(tasks.back().light_at_stake[0]);
@@ -57,7 +57,7 @@ TEST(Contribution, LearnsWhereFeelersAreBlocked) {
   const Key before = key_of(*scheme, tasks[0]);
   scheme->learn(tasks, light, {});
   EXPECT_GT(key_of(*scheme, tasks[0]), before + 8);
-  EXPECT_LT(key_of(*scheme, tasks[8]), before - 16);
+  EXPECT_LT(key_of(*scheme, tasks[16]), before - 16);
   EXPECT_EQ(key_of(*scheme, task(RayKind::shadow, 0.5f, 1, 50, 70)), before) << "elsewhere nothing is known";
 }
 
