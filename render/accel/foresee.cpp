@@ -90,26 +90,14 @@ HWY_INLINE auto blocked_by_spheres(const LightBuffer& buffer, hn::VFromD<N> sphe
   static_assert(sizeof(LightBuffer::RoundBlocker) == 4 * sizeof(double));
   const auto place = hn::ShiftLeft<2>(hn::PromoteTo(wide, sphere));
   const auto number = [&](int i) HWY_ATTR { return hn::GatherIndex(d, numbers + i, place); };
-  const V epsilon = hn::Set(d, kEpsilon);
-  const V x = hn::Sub(number(0), at.x);
-  const V y = hn::Sub(number(1), at.y);
-  const V z = hn::Sub(number(2), at.z);
-  const V radius_squared = number(3);
   const V inverse = hn::Div(hn::Set(d, 1.0), distance);
-  const V distance_squared = dot(x, y, z, x, y, z);
-  const V closest_approach =
-      dot(x, y, z, hn::Mul(to_light.x, inverse), hn::Mul(to_light.y, inverse), hn::Mul(to_light.z, inverse));
-  const V half_chord_squared =
-      hn::Add(hn::Sub(radius_squared, distance_squared), hn::Mul(closest_approach, closest_approach));
-  const auto behind = hn::And(hn::Ge(distance_squared, radius_squared), hn::Lt(closest_approach, epsilon));
-  const auto met = hn::AndNot(behind, hn::Gt(half_chord_squared, epsilon));
-  const V half_chord = hn::Sqrt(half_chord_squared);
+  const SphereMeeting meeting(hn::Sub(number(0), at.x), hn::Sub(number(1), at.y), hn::Sub(number(2), at.z), number(3),
+                              hn::Mul(to_light.x, inverse), hn::Mul(to_light.y, inverse), hn::Mul(to_light.z, inverse));
   const V gap = hn::Set(d, kShadowGap);
   const V least = hn::Max(gap, hn::Set(d, kNearestCrossing));
   const V most = hn::Min(hn::Sub(distance, gap), hn::Set(d, kMaxDistance));
   const auto counts = [&](V depth) HWY_ATTR { return hn::And(hn::Gt(depth, least), hn::Lt(depth, most)); };
-  return hn::And(met,
-                 hn::Or(counts(hn::Sub(closest_approach, half_chord)), counts(hn::Add(closest_approach, half_chord))));
+  return hn::And(meeting.met, hn::Or(counts(meeting.enters), counts(meeting.leaves)));
 }
 
 /// What the lanes in `open` meet, planes left aside.

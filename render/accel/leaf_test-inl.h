@@ -30,6 +30,30 @@ HWY_INLINE V dot(const V& ax, const V& ay, const V& az, const V& bx, const V& by
   return hn::Add(hn::Add(hn::Mul(ax, bx), hn::Mul(ay, by)), hn::Mul(az, bz));
 }
 
+/// Where rays pass through spheres, by the steps of meet_sphere().
+struct SphereMeeting {
+  using V = hn::VFromD<Doubles>;
+
+  decltype(hn::Eq(V(), V())) met;
+  V enters, leaves;
+
+  /// `x`, `y` and `z` lead from the origin to the centre.
+  HWY_INLINE SphereMeeting(const V& x, const V& y, const V& z, const V& radius_squared, const V& direction_x,
+                           const V& direction_y, const V& direction_z) {
+    const auto epsilon = hn::Set(Doubles(), kEpsilon);
+    const auto distance_squared = dot(x, y, z, x, y, z);
+    const auto closest_approach = dot(x, y, z, direction_x, direction_y, direction_z);
+    const auto half_chord_squared =
+        hn::Add(hn::Sub(radius_squared, distance_squared), hn::Mul(closest_approach, closest_approach));
+    const auto behind = hn::And(hn::Ge(distance_squared, radius_squared), hn::Lt(closest_approach, epsilon));
+    met = hn::AndNot(behind, hn::Gt(half_chord_squared, epsilon));
+    // Going on when nothing is met is cheaper than a branch that cannot be foretold.
+    const auto half_chord = hn::Sqrt(half_chord_squared);
+    enters = hn::Sub(closest_approach, half_chord);
+    leaves = hn::Add(closest_approach, half_chord);
+  }
+};
+
 /// Bits of the spheres with a crossing that counts, not beyond `max_depth`; `depths` gets the nearest of each, infinite
 /// where there is none. As ExactRay has it, a crossing before the ray enters the sphere's box does not count.
 HWY_INLINE unsigned meet_spheres(const SphereBlock& block, const RayBlock& rays, const FloatRays& float_rays,
@@ -44,18 +68,11 @@ HWY_INLINE unsigned meet_spheres(const SphereBlock& block, const RayBlock& rays,
     const auto x = hn::Sub(hn::Load(d, block.center[0] + lane), all(origin[0]));
     const auto y = hn::Sub(hn::Load(d, block.center[1] + lane), all(origin[1]));
     const auto z = hn::Sub(hn::Load(d, block.center[2] + lane), all(origin[2]));
-    const auto radius_squared = hn::Load(d, block.radius_squared + lane);
-    const auto epsilon = hn::Set(d, kEpsilon);
-    const auto distance_squared = dot(x, y, z, x, y, z);
-    const auto closest_approach = dot(x, y, z, all(direction[0]), all(direction[1]), all(direction[2]));
-    const auto half_chord_squared =
-        hn::Add(hn::Sub(radius_squared, distance_squared), hn::Mul(closest_approach, closest_approach));
-    const auto behind = hn::And(hn::Ge(distance_squared, radius_squared), hn::Lt(closest_approach, epsilon));
-    const auto met = hn::AndNot(behind, hn::Gt(half_chord_squared, epsilon));
-    // Going on when nothing is met is cheaper than a branch that cannot be foretold.
-    const auto half_chord = hn::Sqrt(half_chord_squared);
-    const auto enters = hn::Sub(closest_approach, half_chord);
-    const auto leaves = hn::Add(closest_approach, half_chord);
+    const SphereMeeting meeting(x, y, z, hn::Load(d, block.radius_squared + lane), all(direction[0]), all(direction[1]),
+                                all(direction[2]));
+    const auto met = meeting.met;
+    const auto enters = meeting.enters;
+    const auto leaves = meeting.leaves;
     const auto last = hn::Set(d, max_depth);
     const auto near_enough = hn::And(met, hn::Le(enters, last));
     if (hn::AllFalse(d, hn::And(near_enough, hn::Gt(leaves, all(rays.min_depth))))) {
