@@ -2,10 +2,10 @@
 
 namespace firstlight::app {
 
-/// Lets the first half gigabyte that malloc hands out lie on large pages, where the system has them: a scene of many
-/// objects is read in a third less time, most of which went into asking the system for one small page after the other.
-/// Only addresses are reserved; memory is taken as it is used. Does nothing where that is not possible.
+/// Lets malloc use again what is freed instead of giving it back to the system: lists of objects that grow, and what
+/// reading a scene leaves behind, would be fresh memory again and again, whose first touch takes a third of the time to
+/// read a scene of many objects. Of lists up to 32 MiB; nothing where malloc is not glibc's.
 /// Order    Before other threads begin.
-void use_large_pages();
+void keep_freed_memory();
 
 }  // namespace firstlight::app

@@ -85,7 +85,7 @@ int run(std::vector<std::string> arguments, std::chrono::steady_clock::time_poin
 
 int main(int argc, char** argv) {
   const auto start = firstlight::app::process_start();
-  firstlight::app::use_large_pages();
+  firstlight::app::keep_freed_memory();
   try {
     return run({argv + 1, argv + argc}, start);
   } catch (const std::bad_alloc&) {

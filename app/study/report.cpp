@@ -140,9 +140,8 @@ std::string heading(const Study& study) {
   return fmt::format(
       "<h1>The order of the rays: {}</h1>\n<p class=\"soft\">{} x {} pixels, {} light source{}, {} levels, {} "
       "thread{}. "
-      "{} rays: {} primary, {} reflection, {} transmission, {} shadow. {} are traced, the others are feelers whose way "
-      "is "
-      "known to be clear.<br><code>{}</code></p>\n",
+      "{} rays: {} primary, {} reflection, {} transmission, {} shadow. {} are traced, the others are feelers whose end "
+      "is foreseen.<br><code>{}</code></p>\n",
       escape_html(study.scene), study.width, study.height, study.lights, study.lights == 1 ? "" : "s", study.levels,
       study.threads, study.threads == 1 ? "" : "s", rays.total(), rays.of(RayKind::primary),
       rays.of(RayKind::reflection), rays.of(RayKind::transmission), rays.of(RayKind::shadow), rays.traced(),
