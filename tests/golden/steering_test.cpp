@@ -229,7 +229,7 @@ TEST(TerminalKeys, TheTerminalIsGivenBackWhileTheProgramIsStopped) {
   const ScratchFolder scratch;
   // A shell between, as on a real terminal: it alone may let a program rest.
   Terminal terminal({"sh", "-c",
-                     fmt::format("set -m; '{}' '+I{}' +Opicture.png +W1280 +H960; echo RESTS; stty -a | tr ';' '\\n' | "
+                     fmt::format("set -m; '{}' '+I{}' +Opicture.png +W2560 +H1920; echo RESTS; stty -a | tr ';' '\\n' | "
                                  "grep -ow -e '-*icanon'; fg; echo ENDED $?",
                                  program_under_test(), kScene.string())},
                     scratch.path());
