@@ -36,8 +36,7 @@ HWY_INLINE Points load(const Columns3<double>& points, std::size_t i) {
 HWY_INLINE auto beside(const PlaneLeaf& plane, const Vec3& light, const Points& at, const Points& way) {
   const D d;
   const V height =
-      hn::Add(hn::Add(hn::Add(hn::Mul(hn::Set(d, plane.normal.x), at.x), hn::Mul(hn::Set(d, plane.normal.y), at.y)),
-                      hn::Mul(hn::Set(d, plane.normal.z), at.z)),
+      hn::Add(dot(hn::Set(d, plane.normal.x), hn::Set(d, plane.normal.y), hn::Set(d, plane.normal.z), at.x, at.y, at.z),
               hn::Set(d, plane.offset));
   const V of_light = hn::Set(d, plane.normal.dot(light) + plane.offset);
   const auto same_side = hn::Gt(hn::Mul(height, of_light), hn::Zero(d));
@@ -75,7 +74,7 @@ HWY_INLINE Places places_of(const Points& way, std::int32_t side) {
   return {face, place(choose(y, z, x)), place(choose(z, x, y))};
 }
 
-/// Of the lanes `open`, whose ways lead through these cells.
+/// Of the feelers of a vector, a bit a lane: as Foreseen.
 struct Sight {
   unsigned clear = 0;
   unsigned blocked = 0;

@@ -31,6 +31,10 @@ FloatBox box_at(const float (*bounds)[kTreeWidth], std::size_t slot) {
   return box;
 }
 
+Vec3 center_of(const SphereBlock& block, std::size_t lane) {
+  return {block.center[0][lane], block.center[1][lane], block.center[2][lane]};
+}
+
 /// What has no bounds is seen everywhere.
 bool all_have_bounds(const Leaves& leaves) {
   return std::ranges::all_of(leaves.beside, [&](ChildRef ref) {
@@ -111,7 +115,7 @@ class LightBuffer::Builder {
   }
   /// Whether the light is in a sphere.
   bool is_in(const SphereBlock& block, std::size_t lane) const {
-    const Vec3 way = Vec3(block.center[0][lane], block.center[1][lane], block.center[2][lane]) - light_;
+    const Vec3 way = center_of(block, lane) - light_;
     return way.dot(way) < block.radius_squared[lane];
   }
 
@@ -195,8 +199,7 @@ class LightBuffer::Builder {
     const SphereBlock& block = leaves_.sphere_blocks[number];
     const double square = block.radius_squared[lane];
     const double radius = std::sqrt(square);
-    const Vec3 center(block.center[0][lane], block.center[1][lane], block.center[2][lane]);
-    const Vec3 way = center - light_;
+    const Vec3 way = center_of(block, lane) - light_;
     const double distance = way.length();
     const FloatBox box = box_at(block.bounds, lane);
     if (!(distance > radius * kFarther + 2.0 * kShadowGap)) {
@@ -209,9 +212,7 @@ class LightBuffer::Builder {
 
     const bool is_opaque = (block.opaque >> lane & 1u) != 0;
     Seen seen{0.0f};
-    if (is_opaque) {
-      seen.sphere = static_cast<std::uint32_t>(number * kLanes + lane);
-    }
+    if (is_opaque) seen.sphere = static_cast<std::uint32_t>(number * kLanes + lane);
     // Not where it is so small, or so far away, that roundings matter; see kFarthestDark.
     const bool may_darken = is_opaque && radius > kSmallestDark && radius > distance / kFarthestDark;
     const double until_tangent = std::sqrt(distance * distance - square);
@@ -328,8 +329,7 @@ void LightBuffer::keep_spheres(const Leaves& leaves) {
       const SphereBlock& block = leaves.sphere_blocks[cell.sphere / kLanes];
       const std::size_t lane = cell.sphere % kLanes;
       place = static_cast<std::uint32_t>(spheres_.size());
-      spheres_.push_back(
-          {Vec3(block.center[0][lane], block.center[1][lane], block.center[2][lane]), block.radius_squared[lane]});
+      spheres_.push_back({center_of(block, lane), block.radius_squared[lane]});
     }
     cell.sphere = place;
   }

@@ -1,9 +1,9 @@
 #pragma once
 
 #include "render/accel/accel.h"
+#include "tests/render/dice.h"
 #include "tests/render/solid_test_support.h"
 
-#include <random>
 #include <utility>
 #include <vector>
 
@@ -39,21 +39,6 @@ inline bool brute_occluded(const Scene& scene, const RayQuery& query) {
   }
   return false;
 }
-
-class Dice {
- public:
-  explicit Dice(unsigned seed) : random_(seed) {}
-  double between(double low, double high) { return std::uniform_real_distribution<double>(low, high)(random_); }
-  Vec3 point(double reach) {
-    const double x = between(-reach, reach);
-    const double y = between(-reach, reach);
-    return Vec3(x, y, between(-reach, reach));
-  }
-  int below(int n) { return std::uniform_int_distribution<int>(0, n - 1)(random_); }
-
- private:
-  std::mt19937 random_;
-};
 
 inline ShapePtr random_shape(Dice& dice) {
   const Vec3 p = dice.point(5.0);
