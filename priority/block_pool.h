@@ -31,7 +31,7 @@ struct Block {
 class BlockPool {
  public:
   /// Few enough that a block is a fine grain of order, enough that threads seldom meet at a lock.
-  static constexpr std::uint32_t kLargestBlock = 128;
+  static constexpr std::uint32_t kLargestBlock = 64;
   static constexpr std::uint32_t kSmallestBlock = 16;
 
   /// `budget`: bytes, 0: no limit. `block_size`: rays in a full block, 0: as many as suit the budget.

@@ -67,17 +67,17 @@ class Contribution final : public Scheme {
 
  private:
   float gain(const RayTask& task) const {
-    if (task.kind == RayKind::primary) return render::max_magnitude(task.radiance.weight()) * kPrimaryGain;
+    if (task.kind == RayKind::primary) return render::max_magnitude(task.weight()) * kPrimaryGain;
     const std::size_t cell = cells_.of(task);
     if (task.kind != RayKind::shadow) {
-      return mean_magnitude(task.radiance.weight()) * gains_.gain(cell, task) * kRayShare;
+      return mean_magnitude(task.weight()) * gains_.gain(cell, task) * kRayShare;
     }
     float sum = 0.0f;
     const std::size_t base = blocked_.base(cell, task);
     task.for_each_feeler([&](std::uint32_t light, const PackedRgb& at_stake) {
       sum += at_stake.sum_of_magnitudes() * blocked_.share(base, light);
     });
-    static constexpr std::array<float, 1 + RayTask::kMostFeelers> kMeanOfChannels{0.0f, 1.0f / 3, 1.0f / 6, 1.0f / 9};
+    static constexpr std::array<float, 1 + RayTask::kMostFeelers> kMeanOfChannels{0.0f, 1.0f / 3, 1.0f / 6};
     return sum * kMeanOfChannels[static_cast<std::size_t>(task.ray_count())];
   }
 

@@ -38,7 +38,7 @@ struct Attribute {
 };
 
 render::Rgb weight_of(const RayTask& task) {
-  if (task.kind != RayKind::shadow) return task.radiance.weight();
+  if (task.kind != RayKind::shadow) return task.weight();
   render::Rgb sum(0.0f);
   task.for_each_feeler([&](std::uint32_t, const render::PackedRgb& light) { sum += light.unpack(); });
   return sum;

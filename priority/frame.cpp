@@ -27,7 +27,7 @@ std::int64_t without_low_bits(std::int64_t steps, int bits) { return (steps + (s
 
 render::RayTask primary_task() {
   render::RayTask task;
-  task.radiance.set_weight(render::Rgb(1.0f));
+  task.set_weight(render::Rgb(1.0f), 1.0f);
   return task;
 }
 

@@ -14,7 +14,7 @@ namespace firstlight::priority {
 
 /// One worker's blocks under construction, one a slot; full ones go to the shared queue.
 ///
-/// Cost     a 64-byte copy a ray; a lock a block.
+/// Cost     a 56-byte copy a ray; a lock a block.
 /// Threads  One a thread.
 class OpenBlocks {
  public:

@@ -17,12 +17,44 @@ float gain_of(int stride) {
   return stride == 2 ? 0.25f : 1.0f;
 }
 
-Slot slot_of_tile(const Scheme& scheme, render::PrimaryBatch& rays, float gain, std::vector<Key>& keys) {
-  for (render::RayTask& task : rays.tasks) task.radiance.set_weight(render::Rgb(gain));
-  keys.resize(rays.tasks.size());
-  scheme.keys(rays.tasks, keys);
-  return slot_of(*std::ranges::max_element(keys), render::RayKind::primary);
-}
+/// Asks a scheme for the slots of tiles. The rays themselves are not made: no scheme can tell more of them than their
+/// samples.
+class TileSlots {
+ public:
+  TileSlots(const Scheme& scheme, const render::PrimaryTiles& tiles, const render::RayTask& ray)
+      : scheme_(scheme), tiles_(tiles), ray_(ray) {}
+
+  Slot of(std::uint32_t tile) {
+    const float gain = gain_of(tiles_.stride_of(tile));
+    const auto known = by_gain_.find(gain);
+    if (known != by_gain_.end()) return known->second;
+    samples_.clear();
+    tiles_.append_samples(tile, samples_);
+    if (samples_.empty()) return kTopSlot;
+    if (gain != gain_) {
+      gain_ = gain;
+      ray_.set_weight(render::Rgb(gain), 1.0f);
+      rays_.clear();
+    }
+    if (rays_.size() < samples_.size()) rays_.resize(samples_.size(), ray_);
+    for (std::size_t i = 0; i < samples_.size(); ++i) rays_[i].sample = samples_[i];
+    keys_.resize(samples_.size());
+    scheme_.keys(std::span(rays_).first(samples_.size()), keys_);
+    const Slot slot = slot_of(*std::ranges::max_element(keys_), render::RayKind::primary);
+    if (!scheme_.tells_pixels_apart()) by_gain_[gain] = slot;
+    return slot;
+  }
+
+ private:
+  const Scheme& scheme_;
+  const render::PrimaryTiles& tiles_;
+  render::RayTask ray_;
+  std::vector<std::uint32_t> samples_;
+  float gain_ = 0.0f;
+  std::vector<render::RayTask> rays_;  // of gain_
+  std::vector<Key> keys_;
+  std::map<float, Slot> by_gain_;  // for schemes to which all pixels are alike
+};
 
 }  // namespace
 
@@ -44,22 +76,9 @@ void PrimaryOrder::sort(const Scheme& scheme, std::uint64_t version) {
   if (version <= version_) return;
   version_ = version;
   const auto begin = waiting_.begin() + static_cast<std::ptrdiff_t>(begun_);
-  render::PrimaryBatch rays;
-  std::vector<Key> keys;
-  std::map<float, Slot> slots;  // by gain, for schemes to which all pixels are alike
+  TileSlots slots(scheme, tiles_, rays_.unmade());
   for (auto tile = begin; tile != waiting_.end(); ++tile) {
-    if (tile->number < tiles_.coarse_count()) continue;
-    const float gain = gain_of(tiles_.stride_of(tile->number));
-    const auto known = slots.find(gain);
-    if (known != slots.end()) {
-      tile->slot = known->second;
-      continue;
-    }
-    rays.clear();
-    tiles_.fill(tile->number, rays_, rays);
-    if (rays.tasks.empty()) continue;
-    tile->slot = slot_of_tile(scheme, rays, gain, keys);
-    if (!scheme.tells_pixels_apart()) slots[gain] = tile->slot;
+    if (tile->number >= tiles_.coarse_count()) tile->slot = slots.of(tile->number);
   }
   std::sort(begin, waiting_.end(),
             [](const Tile& a, const Tile& b) { return a.slot != b.slot ? a.slot > b.slot : a.number < b.number; });

@@ -27,7 +27,7 @@ RayGains::RayGains(const Cells& cells) : levels_(cells.count() * kLevels), gains
 }
 
 void RayGains::learn_traced(std::size_t cell, const render::RayTask& ray, const render::FixedRgb& light) {
-  const float weight = mean_magnitude(ray.radiance.weight());
+  const float weight = mean_magnitude(ray.weight());
   const float brought = std::min(mean_magnitude(light.to_rgb()), kBrightest * weight);
   if (!(weight <= kBrightest && brought >= 0.0f)) return;  // not-a-number and infinity
   Level& level = levels_[place(cell, ray.level)];
@@ -38,7 +38,7 @@ void RayGains::learn_traced(std::size_t cell, const render::RayTask& ray, const 
 }
 
 void RayGains::learn_spawned(std::size_t cell, const render::RayTask& ray) {
-  const float weight = mean_magnitude(ray.radiance.weight());
+  const float weight = mean_magnitude(ray.weight());
   if (ray.level == 0 || !(weight <= kBrightest)) return;
   Level& level = levels_[place(cell, ray.level - 1u)];
   level.passed_on.add(weight, 0.0f);

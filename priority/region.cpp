@@ -25,15 +25,15 @@ class Region final : public Scheme {
       : pixels_(input), rectangles_(std::move(rectangles)) {}
 
   void keys(std::span<const render::RayTask> tasks, std::span<Key> keys) const override {
-    for (std::size_t i = 0; i < tasks.size(); ++i) keys[i] = key(pixels_.x(tasks[i]), pixels_.y(tasks[i]));
+    for (std::size_t i = 0; i < tasks.size(); ++i) keys[i] = key(pixels_.place(tasks[i]));
   }
   Key key_count() const override { return static_cast<Key>(rectangles_.size()) + 1; }
 
  private:
-  Key key(int x, int y) const {
+  Key key(const Pixels::Place& at) const {
     Key key = static_cast<Key>(rectangles_.size());
     for (const Rectangle& r : rectangles_) {
-      if (x >= r.left && x <= r.right && y >= r.top && y <= r.bottom) return key;
+      if (at.x >= r.left && at.x <= r.right && at.y >= r.top && at.y <= r.bottom) return key;
       --key;
     }
     return 0;

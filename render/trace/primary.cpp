@@ -17,15 +17,20 @@ std::uint32_t medium_at(const Scene& scene, MediumTable& media, const Vec3& poin
 PrimaryRays::PrimaryRays(const Scene& scene, MediumTable& media, int width, int height)
     : scene_(scene), medium_(medium_at(scene, media, scene.camera.location)), width_(width), height_(height) {}
 
+RayTask PrimaryRays::unmade() const {
+  RayTask task;
+  task.origin = scene_.camera.location;
+  task.set_weight(Rgb(1.0f), 1.0f);
+  task.medium = medium_;
+  return task;
+}
+
 void PrimaryRays::append(double x, double y, std::uint32_t sample, PrimaryBatch& batch) const {
   const Ray ray = primary_ray(scene_.camera, x, y, width_, height_);
-  RayTask task;
+  RayTask task = unmade();
   task.origin = ray.origin;
-  task.radiance.direction = PackedDirection(ray.direction);
-  task.radiance.set_weight(Rgb(1.0f));
+  task.set_direction(PackedDirection(ray.direction));
   task.sample = sample;
-  task.path = sample;
-  task.medium = medium_;
   batch.tasks.push_back(task);
   batch.rays.push_back(ray);
 }
@@ -48,22 +53,34 @@ int PrimaryTiles::stride_of(std::uint32_t tile) const {
   return level->stride;
 }
 
-void PrimaryTiles::fill(std::uint32_t tile, const PrimaryRays& rays, PrimaryBatch& batch) const {
+template <class Visit>
+void PrimaryTiles::for_each_pixel(std::uint32_t tile, const Visit& visit) const {
   auto level = levels_.begin();
   for (; tile >= level->tiles(); ++level) tile -= level->tiles();
   const int stride = level->stride;
   const int side = kTileSize * stride;
   const int x0 = static_cast<int>(tile % level->columns) * side;
   const int y0 = static_cast<int>(tile / level->columns) * side;
-  const auto on_grid_before = [stride](int coordinate) { return coordinate % (2 * stride) == 0; };
+  // A square begins on the grid before, of whose points every second one of every second row is on it.
   for (int y = y0; y < std::min(y0 + side, height_); y += stride) {
-    for (int x = x0; x < std::min(x0 + side, width_); x += stride) {
-      if (!level->first && on_grid_before(x) && on_grid_before(y)) continue;
+    const bool has_points_before = !level->first && ((y - y0) & stride) == 0;
+    const int first = has_points_before ? x0 + stride : x0;
+    for (int x = first; x < std::min(x0 + side, width_); x += has_points_before ? 2 * stride : stride) {
       const auto sample =
           static_cast<std::uint32_t>(y) * static_cast<std::uint32_t>(width_) + static_cast<std::uint32_t>(x);
-      rays.append(x + offset_, y + offset_, sample, batch);
+      visit(x, y, sample);
     }
   }
+}
+
+void PrimaryTiles::fill(std::uint32_t tile, const PrimaryRays& rays, PrimaryBatch& batch) const {
+  for_each_pixel(tile, [&](int x, int y, std::uint32_t sample) {
+    rays.append(x + offset_, y + offset_, sample, batch);
+  });
+}
+
+void PrimaryTiles::append_samples(std::uint32_t tile, std::vector<std::uint32_t>& samples) const {
+  for_each_pixel(tile, [&](int, int, std::uint32_t sample) { samples.push_back(sample); });
 }
 
 }  // namespace firstlight::render

@@ -29,6 +29,9 @@ class PrimaryRays {
  public:
   PrimaryRays(const Scene& scene, MediumTable& media, int width, int height);
 
+  /// A ray that has not been made, as schemes see it: without a direction, of sample 0.
+  RayTask unmade() const;
+
   int width() const { return width_; }
   int height() const { return height_; }
   /// Appends the ray through picture coordinates, as primary_ray() takes them, that lights a sample of the film.
@@ -60,6 +63,8 @@ class PrimaryTiles {
   int stride_of(std::uint32_t tile) const;
   /// Appends the rays of the tile's pixels, row by row. Pre: tile < count(), sizes as given above.
   void fill(std::uint32_t tile, const PrimaryRays& rays, PrimaryBatch& batch) const;
+  /// Appends the samples of those rays. Pre: as for fill().
+  void append_samples(std::uint32_t tile, std::vector<std::uint32_t>& samples) const;
 
  private:
   struct Level {
@@ -69,6 +74,9 @@ class PrimaryTiles {
     std::uint32_t rows;
     std::uint32_t tiles() const { return columns * rows; }
   };
+  /// Calls visit(x, y, sample) for each pixel of the tile.
+  template <class Visit>
+  void for_each_pixel(std::uint32_t tile, const Visit& visit) const;
 
   int width_;
   int height_;

@@ -49,42 +49,21 @@ struct PackedDirection {
   static constexpr double kSteps = 2147483647.0;
 };
 
-/// What a radiance ray (primary, reflection, transmission) carries beside its origin.
-struct Radiance {
-  PackedDirection direction;
-  float red = 0.0f;  ///< weight: product of the factors on the way to the eye
-  float green = 0.0f;
-  float blue = 0.0f;
-  float adc_weight = 1.0f;  ///< scalar weight by which POV-Ray prunes (adc_bailout)
-
-  Rgb weight() const { return {red, green, blue}; }
-  void set_weight(const Rgb& weight) {
-    red = weight.x;
-    green = weight.y;
-    blue = weight.z;
-  }
-};
-
 /// Rays that wait to be traced: a flat record with no pointer to a parent.
 ///
 /// Meaning  A radiance ray adds weight * local light to its sample. A record of shadow feelers stands for light that
 /// was
-///          added as if unoccluded, from up to three lights; where a feeler is blocked, it takes back (1 - S) of the
-///          light at stake, S being the share that passes.
+///          added as if unoccluded, from one light or two; where a feeler is blocked, it takes back (1 - S) of the light
+///          at stake, S being the share that passes.
 /// Source   Yagel & Meeker 1997, eq. 2-9 and section 7; docs/paper-notes.md.
-/// Memory   64 bytes.
+/// Memory   56 bytes.
 class RayTask {
  public:
-  static constexpr int kMostFeelers = 3;
+  static constexpr std::size_t kMostFeelers = 2;
 
   Vec3 origin;
-  union {
-    Radiance radiance;                                   ///< of every kind but shadow
-    std::array<PackedRgb, kMostFeelers> light_at_stake;  ///< of kind shadow, exactly as it was added to the film
-  };
   std::uint32_t sample = 0;  ///< index into the film
   std::uint32_t medium = 0;  ///< of MediumTable: what the ray travels in
-  std::uint32_t path = 0;    ///< hash of the way from the eye, for random choices; of feelers: their lights, packed
   RayKind kind : 2 = RayKind::primary;
   std::uint8_t flags : 6 = 0;
   std::uint8_t level = 0;            ///< trace level of the parent: 0 for a primary ray
@@ -94,49 +73,88 @@ class RayTask {
   static constexpr std::uint8_t kContinued = 2;  ///< went straight on through a surface: does not raise the level
   static constexpr std::uint16_t kNoObject = 0xffff;
 
-  RayTask() : radiance() {}
+  RayTask() : radiance_() {}
 
-  /// Of kind shadow: index into Scene::lights of the first feeler's light.
-  std::uint32_t first_light() const { return path & kFirstLight; }
-  /// Of kind shadow: bit i set for light first_light() + 1 + i, in the order of light_at_stake.
-  std::uint32_t more_lights() const { return path >> kFirstLightBits; }
-  /// How many rays the record stands for.
-  int ray_count() const {
-    if (kind != RayKind::shadow) return 1;
-    const std::uint32_t more = more_lights();  // at most two bits of it are set
-    return 1 + (more != 0 ? 1 : 0) + ((more & (more - 1)) != 0 ? 1 : 0);
+  // ---- Of every kind but shadow
+
+  PackedDirection direction() const { return radiance_.direction; }
+  void set_direction(PackedDirection direction) { radiance_.direction = direction; }
+  /// Product of the factors on the way to the eye.
+  Rgb weight() const {
+    return {std::bit_cast<float>(radiance_.red & kUpperBits), std::bit_cast<float>(radiance_.green & kUpperBits),
+            std::bit_cast<float>(last_ & kUpperBits)};
   }
-  /// Turns the record into one feeler. Pre: light < kMostLights.
+  /// Scalar weight by which POV-Ray prunes (adc_bailout).
+  float adc_weight() const {
+    return std::bit_cast<float>((last_ & kLowBits) << 24 | (radiance_.green & kLowBits) << 16 |
+                                (radiance_.red & kLowBits) << 8);
+  }
+  /// Each component and `adc_weight` are kept to 16 significant bits: the weight is rounded to the nearest, `adc_weight`
+  /// upwards, so that a ray which just reaches a bailout of few digits is traced.
+  void set_weight(const Rgb& weight, float adc_weight) {
+    const std::uint32_t adc = std::bit_cast<std::uint32_t>(adc_weight) + kLowBits;
+    radiance_.red = rounded(weight.x) | (adc >> 8 & kLowBits);
+    radiance_.green = rounded(weight.y) | (adc >> 16 & kLowBits);
+    last_ = rounded(weight.z) | adc >> 24;
+  }
+
+  // ---- Of kind shadow
+
+  /// Index into Scene::lights of the first feeler's light.
+  std::uint32_t first_light() const { return last_ & kFirstLight; }
+  /// Turns the record into one feeler; `at_stake` is the light exactly as it was added to the film. Pre: light <
+  /// kMostLights.
   void set_feeler(std::uint32_t light, PackedRgb at_stake) {
     kind = RayKind::shadow;
-    path = light;
-    light_at_stake[0] = at_stake;
+    last_ = light;
+    at_stake_[0] = at_stake;
+    at_stake_[1] = PackedRgb();
   }
-  /// Adds a feeler if there is room. Pre: `light` is larger than those in the record.
+  /// Adds a feeler if there is room. Pre: `light` is larger than that in the record.
   bool add_feeler(std::uint32_t light, PackedRgb at_stake) {
-    const std::uint32_t distance = light - first_light() - 1;
-    if (distance >= 32 - kFirstLightBits || ray_count() == kMostFeelers) return false;
-    light_at_stake[static_cast<std::size_t>(ray_count())] = at_stake;
-    path |= std::uint32_t{1} << (kFirstLightBits + distance);
+    const std::uint32_t distance = light - first_light();
+    if (to_second() != 0 || distance > kLowBits) return false;
+    last_ |= distance << kFirstLightBits;
+    at_stake_[1] = at_stake;
     return true;
   }
   /// Calls visit(index into Scene::lights, light at stake) for each feeler.
   template <class Visit>
   void for_each_feeler(const Visit& visit) const {
-    visit(first_light(), light_at_stake[0]);
-    std::size_t i = 1;
-    for (unsigned bits = more_lights(); bits != 0; bits &= bits - 1) {
-      visit(first_light() + 1 + static_cast<std::uint32_t>(std::countr_zero(bits)), light_at_stake[i++]);
-    }
+    visit(first_light(), at_stake_[0]);
+    if (to_second() != 0) visit(first_light() + to_second(), at_stake_[1]);
   }
+
+  /// How many rays the record stands for.
+  int ray_count() const { return kind == RayKind::shadow && to_second() != 0 ? 2 : 1; }
 
   static constexpr std::uint32_t kFirstLightBits = 24;
   static constexpr std::uint32_t kMostLights = 1u << kFirstLightBits;
 
  private:
+  /// The low bits of the weight's three components, together, are the upper bits of the scalar weight.
+  struct Radiance {
+    PackedDirection direction;
+    std::uint32_t red = 0;
+    std::uint32_t green = 0;
+  };
   static constexpr std::uint32_t kFirstLight = kMostLights - 1;
+  static constexpr std::uint32_t kLowBits = 0xff;
+  static constexpr std::uint32_t kUpperBits = ~kLowBits;
+
+  static std::uint32_t rounded(float weight) {
+    return (std::bit_cast<std::uint32_t>(weight) + (kLowBits + 1) / 2) & kUpperBits;
+  }
+  /// From the first feeler's light to the second's; 0: there is none.
+  std::uint32_t to_second() const { return last_ >> kFirstLightBits; }
+
+  std::uint32_t last_ = 0;  ///< of radiance rays: blue; of feelers: their lights
+  union {
+    Radiance radiance_;
+    std::array<PackedRgb, kMostFeelers> at_stake_;
+  };
 };
-static_assert(sizeof(RayTask) == 64);
+static_assert(sizeof(RayTask) == 56);
 static_assert(std::is_trivially_destructible_v<RayTask>);
 
 /// Rays in `tasks`.

@@ -36,13 +36,6 @@ void set_rare(LayerColumns& columns, std::size_t hit, std::size_t count, const S
   columns.metallic[hit] = layer.metallic;
 }
 
-std::uint32_t mixed(std::uint32_t path, std::uint32_t branch) {
-  std::uint32_t h = path * 0x9e3779b1u + branch + 1u;
-  h ^= h >> 15;
-  h *= 0x85ebca77u;
-  return h ^ (h >> 13);
-}
-
 }  // namespace
 
 void Stepper::meet(const RayTask& task, const Ray& ray, const Hit& hit, Contribution& sum) {
@@ -76,7 +69,7 @@ void Stepper::meet(const RayTask& task, const Ray& ray, const Hit& hit, Contribu
 void Stepper::meet_layers(Surface& surface, std::size_t hit, std::uint32_t texture) {
   HitBlock& block = *block_;
   const double bailout = context_.scene.settings.adc_bailout;
-  const Rgb weight = surface.task->radiance.weight();
+  const Rgb weight = surface.task->weight();
   double share = 1.0;
   Rgb filter(1.0f);
   Rgb own_light(0.0f);
@@ -110,9 +103,9 @@ void Stepper::meet_layers(Surface& surface, std::size_t hit, std::uint32_t textu
 
     Rgb passed = color.passed;
     if (layer.reflects) {
-      double adc_weight = surface.task->radiance.adc_weight * share;
+      double adc_weight = surface.task->adc_weight() * share;
       const Rgb reflection = reflectivity(surface, hit, layer, color.rgb, adc_weight);
-      mirrors_.push_back({&layer, reflection, adc_weight, k});
+      mirrors_.push_back({&layer, reflection, adc_weight});
       if (layer.source->finish->conserve_energy) {
         const Rgb kept = Rgb(1.0f) - reflection;
         passed *= Rgb(std::min(1.0f, kept.x), std::min(1.0f, kept.y), std::min(1.0f, kept.z));
@@ -161,12 +154,13 @@ void Stepper::spawn_feelers(std::uint32_t first_light, std::size_t light_count) 
     const auto i = static_cast<std::size_t>(std::countr_zero(hits));
     std::uint32_t which = 0;
     for (std::size_t l = 0; l < light_count; ++l) which |= static_cast<std::uint32_t>(block_->open[l] >> i & 1u) << l;
-    const int count = std::popcount(which);
     Surface& surface = surfaces_[i];
-    if (count > RayTask::kMostFeelers || surface.open_record != kNoRecord) {
+    const auto held = [&](std::uint32_t light) { return PackedRgb::from_bits(block_->light[light][i]); };
+    const int count = std::popcount(which);
+    if (count > static_cast<int>(RayTask::kMostFeelers) || surface.open_record != kNoRecord) {
       for (; which != 0; which &= which - 1) {
-        const auto l = static_cast<std::uint32_t>(std::countr_zero(which));
-        add_feeler(i, first_light + l, PackedRgb::from_bits(block_->light[l][i]));
+        const auto light = static_cast<std::uint32_t>(std::countr_zero(which));
+        add_feeler(i, first_light + light, held(light));
       }
       continue;
     }
@@ -174,11 +168,10 @@ void Stepper::spawn_feelers(std::uint32_t first_light, std::size_t light_count) 
     RayTask& record = spawned_.emplace_back();
     begin_child(record, i, RayKind::shadow);
     const auto first = static_cast<std::uint32_t>(std::countr_zero(which));
-    record.path = (first_light + first) | which >> first >> 1 << RayTask::kFirstLightBits;
-    for (std::size_t slot = 0; slot < RayTask::kMostFeelers; ++slot, which &= which - 1) {
-      record.light_at_stake[slot] =
-          which == 0 ? PackedRgb()
-                     : PackedRgb::from_bits(block_->light[static_cast<std::size_t>(std::countr_zero(which))][i]);
+    record.set_feeler(first_light + first, held(first));
+    if (count == 2) {
+      const auto second = static_cast<std::uint32_t>(std::bit_width(which)) - 1;
+      record.add_feeler(first_light + second, held(second));
     }
     surface.sum->outstanding += block_->at_stake[i];
   }
@@ -197,7 +190,6 @@ void Stepper::add_feeler(std::size_t hit, std::uint32_t light, PackedRgb at_stak
   surface.open_record = spawned_.size();
   RayTask& record = spawned_.emplace_back();
   begin_child(record, hit, RayKind::shadow);
-  record.light_at_stake = {};
   record.set_feeler(light, at_stake);
   surface.sum->outstanding += bound_.at_stake(record);
 }
@@ -216,7 +208,7 @@ void Stepper::begin_child(RayTask& child, std::size_t hit, RayKind kind) const {
 
 void Stepper::end_ray(const Surface& surface) {
   const RayTask& ray = spawned_.back();
-  if (is_black(ray.radiance.weight()) || !is_worth_tracing(context_.scene.settings, ray)) {
+  if (is_black(ray.weight()) || !is_worth_tracing(context_.scene.settings, ray)) {
     spawned_.pop_back();
   } else {
     surface.sum->outstanding += bound_.at_stake(ray);
@@ -278,11 +270,9 @@ void Stepper::spawn_reflections(std::size_t hit) {
     if (is_black(mirror.reflection)) continue;
     RayTask& child = spawned_.emplace_back();
     begin_child(child, hit, RayKind::reflection);
-    child.radiance.direction = std::bit_cast<PackedDirection>(block_->mirrored[hit]);
-    child.radiance.set_weight(surface.task->radiance.weight() * mirror.reflection);
-    child.radiance.adc_weight = static_cast<float>(mirror.adc_weight);
+    child.set_direction(std::bit_cast<PackedDirection>(block_->mirrored[hit]));
+    child.set_weight(surface.task->weight() * mirror.reflection, static_cast<float>(mirror.adc_weight));
     child.flags |= RayTask::kReflected;
-    child.path = mixed(surface.task->path, 0x10000u + mirror.number);
     const double exponent = mirror.layer->source->finish->reflection_exponent;
     if (exponent == 1.0) {
       end_ray(surface);
@@ -325,13 +315,11 @@ bool Stepper::spawn_transmission(std::size_t hit) {
   if (std::abs(interior.fade_distance) > kNegligible && media.contains(around, own)) {
     passed *= faded_light(interior, surface.depth);
   }
-  child.radiance.adc_weight = surface.task->radiance.adc_weight * max_magnitude(surface.filter);
-  child.path = mixed(surface.task->path, 0x20000u);
 
   const Vec3 direction = block_->direction.vector(hit);
   bool totally_reflected = false;
   if (std::abs(ior - 1.0) < kNegligible) {
-    child.radiance.direction = PackedDirection(direction);
+    child.set_direction(PackedDirection(direction));
     child.flags |= RayTask::kContinued;
   } else {
     // Heckbert's form of Snell's law: T = ior I + (ior c - sqrt(1 + ior^2 (c^2 - 1))) N.
@@ -343,13 +331,13 @@ bool Stepper::spawn_transmission(std::size_t hit) {
       child.kind = RayKind::reflection;
       child.flags |= RayTask::kReflected;
       child.medium = around;
-      child.radiance.direction = PackedDirection(direction + normal * (2.0 * cosine));
+      child.set_direction(PackedDirection(direction + normal * (2.0 * cosine)));
     } else {
-      child.radiance.direction = PackedDirection(direction * ior + normal * (ior * cosine - std::sqrt(root)));
+      child.set_direction(PackedDirection(direction * ior + normal * (ior * cosine - std::sqrt(root))));
     }
   }
-  child.radiance.set_weight(surface.task->radiance.weight() * passed *
-                            (totally_reflected ? Rgb(1.0f) : surface.filter));
+  child.set_weight(surface.task->weight() * passed * (totally_reflected ? Rgb(1.0f) : surface.filter),
+                   surface.task->adc_weight() * max_magnitude(surface.filter));
   end_ray(surface);
   return totally_reflected;
 }

@@ -37,7 +37,7 @@ RayCounts RayCounts::operator-(const RayCounts& before) const {
 }
 
 bool is_worth_tracing(const Settings& settings, const RayTask& task) {
-  return task.level < settings.max_trace_level && !(task.radiance.adc_weight < settings.adc_bailout);
+  return task.level < settings.max_trace_level && !(task.adc_weight() < settings.adc_bailout);
 }
 
 Stepper::Stepper(const TraceContext& context, std::shared_ptr<const SurfaceTable> surfaces)
@@ -96,7 +96,7 @@ void Stepper::step_radiance(std::span<const RayTask> tasks, std::span<const Ray>
     const RayTask& task = tasks[i];
     counts_.of(task.kind)++;
     block.origin.set(i, task.origin);
-    packed_directions_[i] = std::bit_cast<std::int64_t>(task.radiance.direction);
+    packed_directions_[i] = std::bit_cast<std::int64_t>(task.direction());
     block.hidden_bit[i] = hidden_bit(task);
   }
   if (rays.empty()) {
@@ -121,7 +121,7 @@ void Stepper::step_radiance(std::span<const RayTask> tasks, std::span<const Ray>
     const RayTask& task = tasks[i];
     light[i] = {task.sample, {}, -bound_.at_stake(task)};
     if (hits_[i].part == kNoIndex) {
-      light[i].light = FixedRgb::from(task.radiance.weight() * context_.scene.settings.background);
+      light[i].light = FixedRgb::from(task.weight() * context_.scene.settings.background);
       continue;
     }
     const std::uint32_t texture = context_.scene.parts[hits_[i].part].texture;
@@ -220,8 +220,8 @@ Rgb Stepper::passing_light(std::uint32_t medium, Ray ray, double distance) const
 }
 
 void Stepper::add_sealed(const Surface& surface, RayTask root, double exponent) {
-  const Rgb weight = root.radiance.weight();
-  root.radiance.set_weight(Rgb(1.0f));
+  const Rgb weight = root.weight();
+  root.set_weight(Rgb(1.0f), root.adc_weight());
   const Rgb color = trace_sealed(root);
   const auto power = [exponent](float c) { return c > 0.0f ? static_cast<float>(std::pow(c, exponent)) : 0.0f; };
   surface.sum->light += FixedRgb::from(weight * Rgb(power(color.x), power(color.y), power(color.z)));

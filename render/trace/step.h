@@ -70,7 +70,6 @@ class Stepper {
     const SurfaceLayer* layer;
     Rgb reflection;
     double adc_weight;
-    std::uint32_t number;  ///< of the layer, from the top
   };
   /// A hit, as far as rays that it sends on need it; the HitBlock has the rest, under the same number.
   struct Surface {

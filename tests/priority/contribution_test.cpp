@@ -38,8 +38,9 @@ TEST(Contribution, CountsTheLightAtStakeForEachFeelerWhateverItsSign) {
   RayTask record = task(RayKind::shadow, 0.4f);
   ASSERT_TRUE(record.add_feeler(1, PackedRgb(Rgb(0.2f, 0.4f, 0.1f))));
   EXPECT_EQ(key_by_contribution(record), key_by_contribution(task(RayKind::shadow, 0.4f)));
-  ASSERT_TRUE(record.add_feeler(2, PackedRgb(Rgb(0.0f))));
-  EXPECT_LT(key_by_contribution(record), key_by_contribution(task(RayKind::shadow, 0.4f)));
+  RayTask with_faint = task(RayKind::shadow, 0.4f);
+  ASSERT_TRUE(with_faint.add_feeler(2, PackedRgb(Rgb(0.0f))));
+  EXPECT_LT(key_by_contribution(with_faint), key_by_contribution(task(RayKind::shadow, 0.4f)));
 }
 
 /// Feelers of which those at the left are blocked and those at the right are not.
@@ -51,7 +52,7 @@ TEST(Contribution, LearnsWhereFeelersAreBlocked) {
     const bool left = i % 32 < 16;
     tasks.push_back(task(RayKind::shadow, 0.5f, 1, left ? 3 : 90, 10));
     FixedRgb change;
-    if (left) change -= FixedRgb::from(tasks.back().light_at_stake[0]);
+    if (left) change -= FixedRgb::from(PackedRgb(Rgb(0.5f)));
     light.push_back({tasks.back().sample, change, 0});
   }
   const Key before = key_of(*scheme, tasks[0]);
@@ -66,15 +67,14 @@ TEST(BlockedShares, TellFeelersOfOneRecordApart) {
   BlockedShares shares(cells, 3);
   RayTask record = task(RayKind::shadow, 0.5f, 1);
   ASSERT_TRUE(record.add_feeler(1, PackedRgb(Rgb(0.3f))));
-  ASSERT_TRUE(record.add_feeler(2, PackedRgb(Rgb(0.1f))));
   FixedRgb taken;
-  taken -= FixedRgb::from(record.light_at_stake[1]);
+  taken -= FixedRgb::from(PackedRgb(Rgb(0.3f)));
   const std::size_t cell = cells.of(record);
   for (int i = 0; i < 100; ++i) shares.learn(cell, record, taken);
   const std::size_t base = shares.base(cell, record);
   EXPECT_LT(shares.share(base, 0), 0.05f);
   EXPECT_GT(shares.share(base, 1), 0.95f);
-  EXPECT_LT(shares.share(base, 2), 0.05f);
+  EXPECT_EQ(shares.share(base, 2), shares.share(shares.base(cell + 1, record), 2)) << "nothing is known of it";
 }
 
 TEST(BlockedShares, TakeWhatIsPartlyBlockedForAShare) {
@@ -91,9 +91,9 @@ TEST(RayGains, AMirrorIsWorthWhatItShows) {
   const float before = gains.gain(0, task(RayKind::reflection, 1.0f, 1));
   EXPECT_EQ(gains.gain(1, task(RayKind::reflection, 1.0f, 1)), before);
   RayTask on_mirror = task(RayKind::reflection, 0.5f, 1);
-  on_mirror.radiance.set_weight(Rgb(0.5f));
+  on_mirror.set_weight(Rgb(0.5f), 1.0f);
   RayTask behind = task(RayKind::reflection, 0.5f, 2);
-  behind.radiance.set_weight(Rgb(0.5f));
+  behind.set_weight(Rgb(0.5f), 1.0f);
   for (int i = 0; i < 1000; ++i) {
     gains.learn_traced(0, on_mirror, FixedRgb());
     gains.learn_spawned(0, behind);

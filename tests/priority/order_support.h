@@ -69,7 +69,7 @@ inline render::RayTask task(render::RayKind kind, float weight, int level = 0, i
   if (kind == render::RayKind::shadow) {
     out.set_feeler(0, render::PackedRgb(light));
   } else {
-    out.radiance.set_weight(light);
+    out.set_weight(light, 1.0f);
   }
   out.level = static_cast<std::uint8_t>(level);
   out.sample = static_cast<std::uint32_t>(y * kPictureWidth + x);

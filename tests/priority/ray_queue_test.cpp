@@ -21,7 +21,7 @@ using render::RayTask;
 RayTask task_of(std::uint32_t sample) {
   RayTask task;
   task.origin = render::Vec3(0.0);
-  task.radiance.set_weight(render::Rgb(1.0f));
+  task.set_weight(render::Rgb(1.0f), 1.0f);
   task.sample = sample;
   return task;
 }
@@ -93,7 +93,7 @@ TEST(BlockPool, KeepsItsBudget) {
 
 TEST(BlockPool, GivesMemoryBackThatNobodyUses) {
   BlockPool pool;
-  constexpr int kBlocks = 24000;  // of several chunks
+  constexpr int kBlocks = 60000;  // of several chunks
   std::vector<Block*> blocks;
   for (int i = 0; i < kBlocks; ++i) blocks.push_back(pool.acquire());
   const std::size_t full = pool.reserved_bytes();
@@ -112,12 +112,12 @@ TEST(BlockPool, GivesEmptyBlocks) {
 
 TEST(RayQueue, HighestSlotLeavesFirst) {
   Bench bench;
-  for (const Slot slot : {3u, 200u, 17u, 8191u}) bench.queue->push(slot, bench.block(slot % 100 + 1), kVersion);
+  for (const Slot slot : {3u, 200u, 17u, 8191u}) bench.queue->push(slot, bench.block(slot % 50 + 1), kVersion);
   for (const Slot slot : {8191u, 200u, 17u, 3u}) {
     const auto popped = bench.queue->pop();
     ASSERT_NE(popped.block, nullptr);
     EXPECT_EQ(popped.slot, slot);
-    EXPECT_EQ(popped.block->count, slot % 100 + 1);
+    EXPECT_EQ(popped.block->count, slot % 50 + 1);
   }
   EXPECT_EQ(bench.queue->pop().block, nullptr);
   EXPECT_EQ(bench.queue->top(), kNoSlot);

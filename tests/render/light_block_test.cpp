@@ -233,7 +233,7 @@ TEST(LightBlock, WhatIsAddedIsWhatTheFeelersHold) {
   for (std::size_t i = 0; i < kRaysAtOnce; ++i) hits.push_back(random_hit(dice));
   // From absurdly dark to absurdly bright.
   for (const float strength : {1e-38f, 1e-12f, 1e-6f, 1.0f, 1e4f, 1e9f, 1e30f}) {
-    std::vector<Light> lights(3);
+    std::vector<Light> lights(RayTask::kMostFeelers);
     for (Light& light : lights) {
       light.position = dice.point(9.0);
       light.color = dice.color() * strength;

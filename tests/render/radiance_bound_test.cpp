@@ -369,8 +369,8 @@ double highlights_in_a_row(int count) {
   Stepper stepper({*scene, accel, media});
   RayTask task;
   task.origin = Vec3(0, 1, 0);
-  task.radiance.direction = PackedDirection(Vec3(0, -1, 0));
-  task.radiance.set_weight(Rgb(1.0f));
+  task.set_direction(PackedDirection(Vec3(0, -1, 0)));
+  task.set_weight(Rgb(1.0f), 1.0f);
   const RadianceBound bound(*scene);
   EXPECT_FALSE(bound.known());
   const FixedRgb light = light_of_tree(stepper, task, [](const RayTask&, const FixedRgb&) {});

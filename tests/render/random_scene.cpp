@@ -187,10 +187,9 @@ RayTask RandomScene::primary(double x, double y, std::uint32_t sample) {
   const Ray ray = primary_ray(scene_->camera, x, y, kUnit, kUnit);
   RayTask task;
   task.origin = ray.origin;
-  task.radiance.direction = PackedDirection(ray.direction);
-  task.radiance.set_weight(Rgb(1.0f));
+  task.set_direction(PackedDirection(ray.direction));
+  task.set_weight(Rgb(1.0f), 1.0f);
   task.sample = sample;
-  task.path = sample;
   task.medium = medium_at(*scene_, *media_, ray.origin);
   return task;
 }

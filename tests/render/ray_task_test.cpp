@@ -33,27 +33,57 @@ TEST(PackedDirection, LengthDoesNotMatter) {
   EXPECT_LT((unit.unpack() - longer.unpack()).length(), 1e-9);
 }
 
-TEST(RayTask, ARecordHoldsThreeFeelersOfNeighbouringLights) {
+TEST(RayTask, ARecordHoldsTwoFeelersOfNeighbouringLights) {
   RayTask task;
   const PackedRgb light(Rgb(0.5f, 0.25f, 0.125f));
   task.set_feeler(70000, light);
-  EXPECT_TRUE(task.add_feeler(70001, PackedRgb(Rgb(1.0f))));
-  EXPECT_TRUE(task.add_feeler(70008, light));
-  EXPECT_FALSE(task.add_feeler(70009, light));
-  EXPECT_EQ(task.ray_count(), 3);
+  EXPECT_EQ(task.ray_count(), 1);
+  EXPECT_TRUE(task.add_feeler(70255, PackedRgb(Rgb(1.0f))));
+  EXPECT_FALSE(task.add_feeler(70256, light));
+  EXPECT_EQ(task.ray_count(), 2);
   std::vector<std::pair<std::uint32_t, Rgb>> feelers;
   task.for_each_feeler(
       [&](std::uint32_t index, const PackedRgb& at_stake) { feelers.emplace_back(index, at_stake.unpack()); });
   const Rgb expected(0.5f, 0.25f, 0.125f);
   EXPECT_EQ(feelers,
-            (std::vector<std::pair<std::uint32_t, Rgb>>{{70000, expected}, {70001, Rgb(1.0f)}, {70008, expected}}));
+            (std::vector<std::pair<std::uint32_t, Rgb>>{{70000, expected}, {70255, Rgb(1.0f)}}));
 }
 
 TEST(RayTask, AFarLightNeedsARecordOfItsOwn) {
   RayTask task;
   task.set_feeler(2, PackedRgb(Rgb(1.0f)));
-  EXPECT_FALSE(task.add_feeler(11, PackedRgb(Rgb(1.0f))));
+  EXPECT_FALSE(task.add_feeler(258, PackedRgb(Rgb(1.0f))));
   EXPECT_EQ(task.ray_count(), 1);
+}
+
+TEST(RayTask, KeepsWeightsToSixteenBits) {
+  std::mt19937 random(5);
+  std::uniform_real_distribution<float> value(-1.0f, 1.0f);
+  RayTask task;
+  task.set_direction(PackedDirection(Vec3(0.0, 0.6, -0.8)));
+  for (int i = 0; i < 10000; ++i) {
+    const Rgb weight(value(random), value(random), value(random));
+    const float adc_weight = std::abs(value(random));
+    task.set_weight(weight, adc_weight);
+    const Rgb kept = task.weight();
+    for (const auto& [is, was] : {std::pair(kept.x, weight.x), {kept.y, weight.y}, {kept.z, weight.z}}) {
+      ASSERT_NEAR(is, was, std::abs(was) * 0x1p-16f);
+    }
+    ASSERT_GE(task.adc_weight(), adc_weight);
+    ASSERT_LE(task.adc_weight(), adc_weight * (1.0f + 0x1p-15f));
+    const float adc_kept = task.adc_weight();
+    task.set_weight(kept, adc_kept);
+    ASSERT_EQ(task.weight(), kept);
+    ASSERT_EQ(task.adc_weight(), adc_kept);
+  }
+  EXPECT_EQ(task.direction().unpack(), PackedDirection(Vec3(0.0, 0.6, -0.8)).unpack());
+}
+
+TEST(RayTask, KeepsSimpleWeightsExactly) {
+  RayTask task;
+  task.set_weight(Rgb(1.0f, 0.5f, 0.0f), 0.25f);
+  EXPECT_EQ(task.weight(), Rgb(1.0f, 0.5f, 0.0f));
+  EXPECT_EQ(task.adc_weight(), 0.25f);
 }
 
 TEST(PackedRgb, KeepsEachComponentToAMillionthPartOrSoOfTheLargest) {

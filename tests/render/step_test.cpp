@@ -65,8 +65,8 @@ class TestScene {
   static RayTask task(const Vec3& origin, const Vec3& direction) {
     RayTask task;
     task.origin = origin;
-    task.radiance.direction = PackedDirection(direction.normalized());
-    task.radiance.set_weight(Rgb(1.0f));
+    task.set_direction(PackedDirection(direction.normalized()));
+    task.set_weight(Rgb(1.0f), 1.0f);
     return task;
   }
 
@@ -184,7 +184,7 @@ TEST(Step, ARefractedRayObeysSnell) {
   ASSERT_EQ(stepper.spawned().size(), 1u);
   const RayTask& inside = stepper.spawned()[0];
   EXPECT_EQ(inside.kind, RayKind::transmission);
-  EXPECT_NEAR(inside.radiance.direction.unpack().x, std::sqrt(0.5) / 1.5, 1e-8);
+  EXPECT_NEAR(inside.direction().unpack().x, std::sqrt(0.5) / 1.5, 1e-8);
   EXPECT_NE(inside.medium, MediumTable::kOutside);
 }
 
@@ -199,7 +199,7 @@ TEST(Step, GrazingLightInsideGlassIsTotallyReflected) {
   stepper.step({&task, 1});
   ASSERT_EQ(stepper.spawned().size(), 1u);
   EXPECT_EQ(stepper.spawned()[0].kind, RayKind::reflection);
-  EXPECT_NEAR(stepper.spawned()[0].radiance.direction.unpack().y, -std::sqrt(0.5), 1e-8);
+  EXPECT_NEAR(stepper.spawned()[0].direction().unpack().y, -std::sqrt(0.5), 1e-8);
   EXPECT_EQ(stepper.spawned()[0].medium, task.medium);
 }
 
