@@ -19,30 +19,36 @@ void DepthFirst::run(std::span<const render::RayTask> roots) {
   while (!stack_.empty() && !frame_.stopped()) {
     const std::size_t count = size_of_top(stack_);
     stepper_.step(std::span(stack_).last(count));
-    frame_.add(stepper_.light());
+    frame_.add(stepper_.light(), stepper_.counts(), tally_);
     stack_.resize(stack_.size() - count);
     stack_.insert(stack_.end(), stepper_.spawned().begin(), stepper_.spawned().end());
   }
 }
 
 void trace_recursively(Frame& frame, render::Stepper& stepper, RayQueue& queue) {
-  DepthFirst depth_first(frame, stepper);
+  Tally tally;
+  DepthFirst depth_first(frame, stepper, tally);
   PrimaryOrder::Batch batch;
-  render::RayCounts reported;
   while (!queue.closed()) {
     if (!frame.primaries().next(batch)) {
+      frame.report(stepper.counts(), tally);
       queue.wait_and_pop([&frame] { return frame.primaries().refill(); });
       continue;
     }
     for (std::size_t i = 0; i < batch.rays.tasks.size(); ++i) {
-      if (frame.wants_rest()) frame.rest();
-      if (frame.stopped()) return frame.leave_unfinished();
+      if (frame.wants_rest()) {
+        frame.report(stepper.counts(), tally);
+        frame.rest();
+      }
+      if (frame.stopped()) {
+        frame.report(stepper.counts(), tally);
+        return frame.leave_unfinished();
+      }
       stepper.step_primary(std::span(batch.rays.tasks).subspan(i, 1), std::span(batch.rays.rays).subspan(i, 1));
-      frame.add(stepper.light());
+      frame.add(stepper.light(), stepper.counts(), tally);
       depth_first.run(stepper.spawned());
     }
     frame.lit(batch);
-    frame.traced(stepper.counts(), reported);
   }
 }
 

@@ -15,8 +15,9 @@ namespace firstlight::priority {
 /// Threads  One a thread.
 class DepthFirst {
  public:
-  /// Pre: `frame` and `stepper` outlive this.
-  DepthFirst(Frame& frame, render::Stepper& stepper) : frame_(frame), stepper_(stepper) {}
+  /// Pre: all outlive this.
+  DepthFirst(Frame& frame, render::Stepper& stepper, Tally& tally)
+      : frame_(frame), stepper_(stepper), tally_(tally) {}
 
   /// Pre: `roots` may be the stepper's spawned().
   void run(std::span<const render::RayTask> roots);
@@ -24,6 +25,7 @@ class DepthFirst {
  private:
   Frame& frame_;
   render::Stepper& stepper_;
+  Tally& tally_;
   std::vector<render::RayTask> stack_;
 };
 

@@ -82,17 +82,17 @@ void Frame::lit(const PrimaryOrder::Batch& batch) {
   event_.notify_all();
 }
 
-void Frame::add(std::span<const render::Contribution> light) {
+void Frame::add(std::span<const render::Contribution> light, const render::RayCounts& counts, Tally& tally) {
+  constexpr int kBatchesOfReport = 8;
   film_.add(light, threads_);
-  std::int64_t change = 0;
-  for (const render::Contribution& contribution : light) change += contribution.outstanding;
-  remaining_.fetch_add(without_low_bits(change, left_out_), std::memory_order_relaxed);
+  for (const render::Contribution& contribution : light) tally.change += contribution.outstanding;
+  if (++tally.batches == kBatchesOfReport) report(counts, tally);
 }
 
-void Frame::traced(const render::RayCounts& counts, render::RayCounts& reported) {
-  const render::RayCounts more = counts - reported;
-  reported = counts;
-  // Others look at these numbers and change them: those that stay are left alone.
+void Frame::report(const render::RayCounts& counts, Tally& tally) {
+  const render::RayCounts more = counts - tally.reported;
+  remaining_.fetch_add(without_low_bits(tally.change, left_out_), std::memory_order_relaxed);
+  tally = {counts, 0, 0};
   const auto add = [](std::atomic<std::uint64_t>& sum, std::uint64_t n) {
     if (n > 0) sum.fetch_add(n, std::memory_order_relaxed);
   };

@@ -21,6 +21,14 @@
 
 namespace firstlight::priority {
 
+/// What one worker has done, of which the frame knows only now and then: numbers that all workers change would go to and
+/// fro between their processors.
+struct Tally {
+  render::RayCounts reported;  ///< rays that the frame knows of
+  std::int64_t change = 0;     ///< of what may still come, over all samples, in steps of FixedRgb; not reported
+  int batches = 0;             ///< since the last report
+};
+
 /// What the workers of one picture share: the primary rays still to begin, the film, how far it all is, and when to
 /// rest or to leave. Threads  All members may be called from any thread.
 class Frame {
@@ -33,11 +41,12 @@ class Frame {
 
   /// To be called when the light of a batch of primary rays is on the film.
   void lit(const PrimaryOrder::Batch& batch);
-  void add(std::span<const render::Contribution> light);
+  /// Adds to the film what a worker has traced; `counts` are all the rays it has traced so far.
+  void add(std::span<const render::Contribution> light, const render::RayCounts& counts, Tally& tally);
   /// Light will be added to the task's sample soon.
   void expect_light(const render::RayTask& task) const { film_.fetch(task.sample); }
-  /// A worker has traced `counts` so far, of which it has `reported` some before; they become equal.
-  void traced(const render::RayCounts& counts, render::RayCounts& reported);
+  /// Makes known what the tally still holds. To be called by a worker before it rests, waits or leaves.
+  void report(const render::RayCounts& counts, Tally& tally);
   render::RayCounts traced() const;
   void popped(Key key);
 
@@ -94,15 +103,16 @@ class Frame {
   PrimaryOrder primaries_;
   const int threads_;
   const Clock::time_point begin_ = Clock::now();
-  std::atomic<std::uint32_t> tiles_lit_ = 0;
+  // Changed again and again, all that follows seldom: on lines of their own.
+  alignas(64) std::atomic<std::uint32_t> tiles_lit_ = 0;
   std::atomic<std::uint32_t> coarse_tiles_lit_ = 0;
+  std::atomic<Key> key_ = kBuckets;                     // none yet
   std::array<std::atomic<std::uint64_t>, 4> traced_{};  // by kind
   std::atomic<std::uint64_t> clear_ = 0;                // of the feelers
   std::atomic<std::uint64_t> blocked_ = 0;              // of the feelers, without being traced
-  int left_out_ = 0;                                    // low bits that remaining_ is without
   std::atomic<std::int64_t> remaining_ = 0;             // over all pixels, in steps of FixedRgb
+  alignas(64) int left_out_ = 0;                        // low bits that remaining_ is without
   std::atomic<double> refinement_remaining_ = 0.0;      // over all pixels, with anti-aliasing; as of the last look
-  std::atomic<Key> key_ = kBuckets;                     // none yet
   std::atomic<bool> stopped_ = false;
   std::atomic<bool> wants_key_change_ = false;
   std::atomic<bool> checkpoint_due_ = false;

@@ -154,8 +154,9 @@ RayQueue::Rekeying RayQueue::rekeying() const {
   return rekeying_;
 }
 
-void RayQueue::count(std::uint64_t spawned, std::uint64_t taken) {
-  const std::uint64_t with_new = waiting_.fetch_add(spawned - taken, std::memory_order_relaxed) + spawned;
+void RayQueue::count(std::int64_t change, std::int64_t highest) {
+  const std::uint64_t with_new = waiting_.fetch_add(static_cast<std::uint64_t>(change), std::memory_order_relaxed) +
+                                 static_cast<std::uint64_t>(highest);
   std::uint64_t peak = peak_rays_.load(std::memory_order_relaxed);
   while (with_new > peak && !peak_rays_.compare_exchange_weak(peak, with_new, std::memory_order_relaxed)) {
   }

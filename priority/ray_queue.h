@@ -67,8 +67,9 @@ class RayQueue {
   /// Workers that wait here.
   int idle() const { return idle_.load(std::memory_order_relaxed); }
 
-  // Rays waiting here and in the workers' open blocks are counted by the workers, once a batch.
-  void count(std::uint64_t spawned, std::uint64_t taken);
+  // Rays waiting here and in the workers' open blocks are counted by the workers, once in a few batches.
+  /// Their number has changed by `change`, and was higher by `highest` in between.
+  void count(std::int64_t change, std::int64_t highest);
   std::uint64_t waiting() const { return waiting_.load(std::memory_order_relaxed); }
   std::uint64_t peak_rays() const { return peak_rays_.load(std::memory_order_relaxed); }
 
@@ -95,11 +96,12 @@ class RayQueue {
   Clock::time_point rekey_begin_;
   Rekeying rekeying_;
   std::uint64_t refills_ = 0;
-  std::atomic<bool> has_stale_ = false;
+  // Looked at all the time and seldom changed, so apart from what is changed all the time.
+  alignas(64) std::atomic<bool> has_stale_ = false;
   std::atomic<bool> closed_ = false;  // changed under the lock only, as are the next
   std::atomic<int> top_ = kNoSlot;
   std::atomic<int> idle_ = 0;
-  std::atomic<std::uint64_t> waiting_ = 0;
+  alignas(64) std::atomic<std::uint64_t> waiting_ = 0;
   std::atomic<std::uint64_t> peak_rays_ = 0;
 };
 

@@ -16,26 +16,32 @@ Worker::Worker(Frame& frame, render::Stepper& stepper, Shared& shared, const Tra
       number_(number),
       scheme_(options.scheme),
       open_(pool_, queue_),
-      depth_first_(frame, stepper) {}
+      depth_first_(frame, stepper, tally_) {}
 
 void Worker::run() {
   if (steering_ == nullptr) frame_.primaries().sort(*scheme_, 1);
   while (!frame_.stopped()) {
-    if (frame_.wants_rest()) frame_.rest();
+    if (frame_.wants_rest()) rest();
     follow_order();
     if (queue_.has_stale()) {
       rekey_block();
     } else if (primaries_are_next()) {
       trace_primaries();
     } else if (const RayQueue::Popped next = next_block(); next.block != nullptr) {
-      if (frame_.wants_rest()) frame_.rest();
+      if (frame_.wants_rest()) rest();
       trace_block(next);
       if (queue_.starving()) open_.flush();
     } else if (queue_.closed()) {
       return;
     }
   }
+  report();
   frame_.leave_unfinished();
+}
+
+void Worker::rest() {
+  report();
+  frame_.rest();
 }
 
 void Worker::follow_order() {
@@ -76,7 +82,7 @@ bool Worker::primaries_are_next() {
 void Worker::trace_primaries() {
   if (!frame_.primaries().next(primaries_)) return;
   stepper_.step_primary(primaries_.rays.tasks, primaries_.rays.rays);
-  frame_.add(stepper_.light());
+  frame_.add(stepper_.light(), stepper_.counts(), tally_);
   scheme_->learn(primaries_.rays.tasks, stepper_.light(), stepper_.spawned());
   frame_.lit(primaries_);
   keep_spawned(0);
@@ -92,7 +98,7 @@ void Worker::trace_block(const RayQueue::Popped& popped) {
   }
   for (const render::RayTask& task : popped.block->span()) frame_.expect_light(task);
   stepper_.step(popped.block->span());
-  frame_.add(stepper_.light());
+  frame_.add(stepper_.light(), stepper_.counts(), tally_);
   scheme_->learn(popped.block->span(), stepper_.light(), stepper_.spawned());
   open_.release(popped.block);
   keep_spawned(taken);
@@ -113,6 +119,7 @@ RayQueue::Popped Worker::next_block() {
   }
   if (mine != kNoSlot) return {open_.take(static_cast<Slot>(mine)), static_cast<Slot>(mine)};
   show_top(kNoSlot);
+  report();
   return queue_.wait_and_pop([this] { return frame_.primaries().top() != kNoSlot || frame_.primaries().refill(); });
 }
 
@@ -123,9 +130,26 @@ void Worker::show_top(int slot) {
 }
 
 void Worker::keep_spawned(std::uint64_t taken) {
-  queue_.count(render::ray_count(stepper_.spawned()), taken);
+  count(render::ray_count(stepper_.spawned()), taken);
   queue_tasks(stepper_.spawned());
-  frame_.traced(stepper_.counts(), reported_);
+}
+
+void Worker::count(std::uint64_t spawned, std::uint64_t taken) {
+  constexpr int kBatchesOfReport = 8;
+  const std::int64_t with_new = change_ + static_cast<std::int64_t>(spawned);
+  highest_ = std::max(highest_, with_new);
+  change_ = with_new - static_cast<std::int64_t>(taken);
+  if (++batches_ == kBatchesOfReport) count_in_queue();
+}
+
+void Worker::count_in_queue() {
+  queue_.count(change_, highest_);
+  change_ = highest_ = batches_ = 0;
+}
+
+void Worker::report() {
+  count_in_queue();
+  frame_.report(stepper_.counts(), tally_);
 }
 
 void Worker::queue_tasks(std::span<const render::RayTask> tasks) {
@@ -135,7 +159,7 @@ void Worker::queue_tasks(std::span<const render::RayTask> tasks) {
   open_.scatter(tasks, keys_, overflow_);
   show_top(open_.top());
   if (overflow_.empty()) return;
-  queue_.count(0, render::ray_count(overflow_));
+  count(0, render::ray_count(overflow_));
   depth_first_.run(overflow_);
 }
 

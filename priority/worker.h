@@ -57,6 +57,11 @@ class Worker {
   void show_top(int slot);
   /// Queues what the last step spawned; `taken` rays had left the queue for it.
   void keep_spawned(std::uint64_t taken);
+  void count(std::uint64_t spawned, std::uint64_t taken);
+  void count_in_queue();
+  void rest();
+  /// Makes known what only this worker knows.
+  void report();
   void queue_tasks(std::span<const render::RayTask> tasks);
 
   Frame& frame_;
@@ -70,12 +75,16 @@ class Worker {
   std::shared_ptr<const Scheme> steered_;  // what scheme_ is after a change
   std::uint64_t version_ = 0;
   OpenBlocks open_;
+  Tally tally_;
   DepthFirst depth_first_;
   PrimaryOrder::Batch primaries_;
   std::vector<Key> keys_;
   std::vector<render::RayTask> overflow_;
   std::vector<render::RayTask> stale_;
-  render::RayCounts reported_;  // rays of which the frame knows
+  // Of the rays that wait, not counted by the queue yet:
+  std::int64_t change_ = 0;
+  std::int64_t highest_ = 0;
+  int batches_ = 0;
 };
 
 }  // namespace firstlight::priority

@@ -15,23 +15,18 @@ std::uint32_t medium_at(const Scene& scene, MediumTable& media, const Vec3& poin
 }
 
 PrimaryRays::PrimaryRays(const Scene& scene, MediumTable& media, int width, int height)
-    : scene_(scene), medium_(medium_at(scene, media, scene.camera.location)), width_(width), height_(height) {}
-
-RayTask PrimaryRays::unmade() const {
-  RayTask task;
-  task.origin = scene_.camera.location;
-  task.set_weight(Rgb(1.0f), 1.0f);
-  task.medium = medium_;
-  return task;
+    : scene_(scene), width_(width), height_(height) {
+  unmade_.origin = scene.camera.location;
+  unmade_.set_weight(Rgb(1.0f), 1.0f);
+  unmade_.medium = medium_at(scene, media, scene.camera.location);
 }
 
 void PrimaryRays::append(double x, double y, std::uint32_t sample, PrimaryBatch& batch) const {
   const Ray ray = primary_ray(scene_.camera, x, y, width_, height_);
-  RayTask task = unmade();
+  RayTask& task = batch.tasks.emplace_back(unmade_);
   task.origin = ray.origin;
   task.set_direction(PackedDirection(ray.direction));
   task.sample = sample;
-  batch.tasks.push_back(task);
   batch.rays.push_back(ray);
 }
 

@@ -30,7 +30,7 @@ class PrimaryRays {
   PrimaryRays(const Scene& scene, MediumTable& media, int width, int height);
 
   /// A ray that has not been made, as schemes see it: without a direction, of sample 0.
-  RayTask unmade() const;
+  const RayTask& unmade() const { return unmade_; }
 
   int width() const { return width_; }
   int height() const { return height_; }
@@ -39,7 +39,7 @@ class PrimaryRays {
 
  private:
   const Scene& scene_;
-  std::uint32_t medium_;
+  RayTask unmade_;
   int width_;
   int height_;
 };

@@ -246,9 +246,9 @@ TEST(RayQueue, ClosingWakesThoseWhoWait) {
 
 TEST(RayQueue, CountsWaitingRaysAndTheirPeak) {
   Bench bench;
-  bench.queue->count(100, 0);
-  bench.queue->count(50, 30);
-  bench.queue->count(0, 60);
+  bench.queue->count(100, 100);
+  bench.queue->count(20, 50);
+  bench.queue->count(-60, 0);
   EXPECT_EQ(bench.queue->waiting(), 60u);
   EXPECT_EQ(bench.queue->peak_rays(), 150u);
 }
