@@ -114,13 +114,12 @@ int render_command(const Options& options, Clock::time_point start, const std::a
     server = SteerServer::open(options.steer, problem);
     if (server == nullptr) return fail("--steer: " + problem);
   }
-  if (options.write_picture || !options.snapshots_folder.empty()) render::prepare_image_codec();
   ProgressLine line(options.quiet);
   Stats stats;
   stats.scene = options.scene;
   stats.scheme = options.scheme;
-  stats.threads =
-      options.threads > 0 ? options.threads : static_cast<int>(std::max(1u, std::thread::hardware_concurrency()));
+  const int processors = static_cast<int>(std::max(1u, std::thread::hardware_concurrency()));
+  stats.threads = options.threads > 0 ? options.threads : processors;
   stats.width = options.width;
   stats.height = options.height;
   stats.queue_memory = options.queue_memory > 0 ? options.queue_memory : default_queue_memory();
@@ -158,6 +157,9 @@ int render_command(const Options& options, Clock::time_point start, const std::a
     if (!snapshots->error().empty()) return fail(snapshots->error());
     audience.take_snapshots(*snapshots);
   }
+  // While the module is opened no thread can begin, for a fifth of a second: so not before the workers are under way,
+  // and not while they need all processors.
+  if (options.write_picture && stats.threads < processors) audience.when_under_way(render::prepare_image_codec);
   priority::TraceOptions tracing = trace_options(options, stats, stop);
   const std::optional<render::AntialiasSettings> antialias = antialias_of(options, scene.settings);
   if (antialias) tracing.antialias = &*antialias;

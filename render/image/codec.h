@@ -32,7 +32,8 @@ class ImageCodec {
 
 /// The codec; opens the module unless that is done. Null when it cannot be opened: `error` says why.
 const ImageCodec* image_codec(std::string& error);
-/// Begins to open the module in the background, so that it is there when a picture is due.
+/// Begins to open the module in the background, so that it is there when a picture is due. Until that is done, no other
+/// thread can begin: the dynamic linker holds a lock.
 void prepare_image_codec();
 
 constexpr const char* kImageCodecModule = "firstlight_image_files.so";
