@@ -95,7 +95,8 @@ int study_command(std::span<const std::string> arguments, const std::atomic<bool
   progress.stage("reading the scene");
   const render::LoadResult loaded = load_scene(options, *front_end, progress, &stop);
   if (loaded.scene == nullptr) return stop ? kExitInterrupted : kExitFailure;
-  const render::Accel accel(*loaded.scene);
+  const render::Accel accel(*loaded.scene,
+                            line.options.every_feeler ? render::Foresight::none : render::Foresight::some);
 
   StudyPlan plan;
   plan.scene = loaded.scene.get();

@@ -72,7 +72,9 @@ StudyCommandLine parse_study_command_line(std::span<const std::string> arguments
     const std::string& word = arguments[i];
     const std::size_t equals = word.find('=');
     const std::string name = word == "-o" ? "--out" : word.substr(0, equals);
-    if (std::ranges::find(kOwn, name) == kOwn.end()) {
+    if (word == "--every-feeler") {
+      line.options.every_feeler = true;
+    } else if (std::ranges::find(kOwn, name) == kOwn.end()) {
       others.push_back(word);
     } else if (equals != std::string::npos) {
       read_own_option(line, name, word.substr(equals + 1));
@@ -108,6 +110,8 @@ std::string study_help_text() {
       "  --out DIR, -o DIR       The report's folder; default study-SCENE-WIDTHxHEIGHT\n"
       "  --schemes 'TEXT;TEXT'   Schemes and mixtures to compare, the first being what times are compared with\n"
       "  --rounds N              Rounds in which times are taken; default 3\n"
+      "  --every-feeler          Every shadow feeler waits and is traced, as in the paper, also where its end can be\n"
+      "                          foreseen\n"
       "Of the program's other options all that say what is rendered: +W, +H, +A, +L, declare=, --threads,\n"
       "--queue-memory (no limit if not given), --front-end, --quiet.\n\nSchemes, if none are given:\n";
   for (const std::string& scheme : all_study_schemes()) text += fmt::format("  {}\n", scheme);

@@ -14,6 +14,7 @@ struct StudyOptions {
   std::string folder;                ///< the report's
   std::vector<std::string> schemes;  ///< texts of orders; empty: all that there are
   int rounds = 3;                    ///< in which times are taken
+  bool every_feeler = false;         ///< is traced, also those whose end could be foreseen
 };
 
 struct StudyCommandLine {

@@ -29,12 +29,14 @@ void for_each_block(std::span<const RayQuery> queries, const Visit& visit) {
 }  // namespace
 
 struct Accel::Impl {
-  explicit Impl(const Scene& scene) : leaves(scene), light_buffer(leaves, scene.lights) {}
+  Impl(const Scene& scene, Foresight foresight)
+      : leaves(scene),
+        light_buffer(leaves, foresight == Foresight::some ? std::span(scene.lights) : std::span<const Light>()) {}
   Leaves leaves;
   LightBuffer light_buffer;
 };
 
-Accel::Accel(const Scene& scene) : impl_(std::make_unique<Impl>(scene)) {}
+Accel::Accel(const Scene& scene, Foresight foresight) : impl_(std::make_unique<Impl>(scene, foresight)) {}
 Accel::~Accel() = default;
 Accel::Accel(Accel&&) noexcept = default;
 Accel& Accel::operator=(Accel&&) noexcept = default;

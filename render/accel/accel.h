@@ -47,6 +47,10 @@ struct Foreseen {
   bool operator==(const Foreseen&) const = default;
 };
 
+/// Whether an Accel foresees what it can of feelers, or nothing, so that each is traced as in the paper. The pictures
+/// differ by roundings: light that nothing takes back is added as it is, not as feelers hold it.
+enum class Foresight { some, none };
+
 /// Finds what rays meet in a frozen scene.
 ///
 /// Order    The answer to a query depends on the scene and the query alone: not on the other queries of a block, the
@@ -57,7 +61,7 @@ struct Foreseen {
 class Accel {
  public:
   /// Pre: `scene` outlives the Accel, unchanged.
-  explicit Accel(const Scene& scene);
+  explicit Accel(const Scene& scene, Foresight foresight = Foresight::some);
   ~Accel();
   Accel(Accel&&) noexcept;
   Accel& operator=(Accel&&) noexcept;

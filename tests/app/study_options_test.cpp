@@ -21,7 +21,8 @@ std::string only_error(const Words& words) {
 TEST(StudyOptions, TakesThePicturesOptionsAndItsOwn) {
   const StudyCommandLine line =
       parse({"room.pov", "+W64", "+H48", "--out", "here", "--threads", "2", "--rounds=7", "--schemes",
-             "level; contribution,level ;0.5*level + 0.5*contribution", "declare=Lights=1", "--queue-memory", "16M"});
+             "level; contribution,level ;0.5*level + 0.5*contribution", "declare=Lights=1", "--queue-memory", "16M",
+             "--every-feeler"});
   ASSERT_EQ(line.errors, Words{});
   const StudyOptions& options = line.options;
   EXPECT_EQ(options.scene.scene, "room.pov");
@@ -32,6 +33,7 @@ TEST(StudyOptions, TakesThePicturesOptionsAndItsOwn) {
   ASSERT_EQ(options.scene.declares.size(), 1u);
   EXPECT_EQ(options.folder, "here");
   EXPECT_EQ(options.rounds, 7);
+  EXPECT_TRUE(options.every_feeler);
   EXPECT_EQ(options.schemes, (Words{"level", "contribution,level", "0.5*level + 0.5*contribution"}));
 }
 
@@ -40,6 +42,7 @@ TEST(StudyOptions, HasDefaults) {
   ASSERT_EQ(line.errors, Words{});
   EXPECT_EQ(line.options.folder, "study-room-64x48");
   EXPECT_EQ(line.options.rounds, 3);
+  EXPECT_FALSE(line.options.every_feeler);
   EXPECT_TRUE(line.options.schemes.empty());
   EXPECT_EQ(line.options.scene.queue_memory, 0u) << "no limit";
 }

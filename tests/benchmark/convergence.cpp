@@ -1,12 +1,13 @@
 // How fast pictures converge in each order: renders a scene to its end, then once with each scheme, looking at the
 // picture after each per cent of the rays that are traced.
 //
-//   convergence SCENE WIDTH HEIGHT SCHEME [SCHEME ...]
+//   convergence SCENE WIDTH HEIGHT SCHEME [SCHEME ...] [--every-feeler] [--curve]
 //
 // Prints the area under the curve of the difference from the finished picture (1: black) over the rays traced, and
 // after how many the difference stays below 5 % and 1 %. Rays are counted as shares of all rays of the picture, of
 // which feelers with an end that is foreseen need not be traced, and as shares of those that are traced. The same over
-// seconds of tracing, whose area is in seconds. --curve prints the curves over the rays that are traced, too.
+// seconds of tracing, whose area is in seconds. With --every-feeler no end is foreseen. --curve prints the curves over
+// the rays that are traced, too.
 #include "app/study/curve.h"
 #include "parser/function_text.h"
 #include "parser/parser.h"
@@ -63,14 +64,15 @@ struct Watcher final : priority::Observer {
 int main(int argc, char** argv) {
   std::vector<std::string> arguments(argv + 1, argv + argc);
   const bool wants_curve = std::erase(arguments, "--curve") > 0;
-  if (arguments.size() < 4) fail("usage: convergence SCENE WIDTH HEIGHT SCHEME [SCHEME ...] [--curve]");
+  const bool every_feeler = std::erase(arguments, "--every-feeler") > 0;
+  if (arguments.size() < 4) fail("usage: convergence SCENE WIDTH HEIGHT SCHEME [SCHEME ...] [--every-feeler] [--curve]");
   render::LoadOptions load;
   load.width = std::atoi(arguments[1].c_str());
   load.height = std::atoi(arguments[2].c_str());
   if (load.width < 1 || load.height < 1) fail("width and height are numbers of pixels");
   const render::LoadResult loaded = parser::PovFrontEnd().load(arguments[0], load);
   if (loaded.scene == nullptr) fail("cannot read the scene " + arguments[0]);
-  const render::Accel accel(*loaded.scene);
+  const render::Accel accel(*loaded.scene, every_feeler ? render::Foresight::none : render::Foresight::some);
   priority::SchemeInput input;
   input.scene = loaded.scene.get();
   input.width = load.width;

@@ -60,8 +60,9 @@ struct Starts {
 struct AllForeseen {
   std::vector<std::vector<Foreseen>> blocks;  ///< of kRaysAtOnce starts each, by light
 
-  AllForeseen(const Scene& scene, const Starts& starts, bool from_both_sides = true) {
-    const Accel accel(scene);
+  AllForeseen(const Scene& scene, const Starts& starts, bool from_both_sides = true,
+              Foresight foresight = Foresight::some) {
+    const Accel accel(scene, foresight);
     for (std::size_t first = 0; first < starts.points.size(); first += kRaysAtOnce) {
       Columns3<double> points;
       Columns3<double> normals;
@@ -125,6 +126,14 @@ Scene balls(unsigned seed, int count) {
     add_solid(scene, ball, dice.below(10) != 0);
   }
   return scene;
+}
+
+TEST(Foreseen, IsNothingIfThatIsAskedFor) {
+  Scene scene = balls(1, 30);
+  add_lights(scene, 1, 3);
+  const Starts starts(scene, 1, 200);
+  EXPECT_GT(AllForeseen(scene, starts).count(), 100u);
+  EXPECT_EQ(AllForeseen(scene, starts, true, Foresight::none).count(), 0u);
 }
 
 TEST(Foreseen, IsWhatIsMet) {
