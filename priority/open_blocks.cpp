@@ -20,6 +20,7 @@ Block* OpenBlocks::acquire() {
   if (spare_count_ == 0) return pool_.acquire();
   Block* const block = spare_[--spare_count_];
   block->count = 0;
+  block->next = nullptr;
   return block;
 }
 
@@ -47,7 +48,9 @@ void OpenBlocks::scatter(std::span<const render::RayTask> tasks, std::span<const
     }
     block->tasks[block->count++] = tasks[i];
     if (block->count == pool_.block_size()) {
-      queue_.push(slot, take(slot), version_);
+      full_[full_count_++] = {slot, take(slot)};
+      top_of_full_ = std::max(top_of_full_, static_cast<int>(slot));
+      if (full_count_ == kMostFull) send_full();
     } else {
       __builtin_prefetch(&block->tasks[block->count], 1);  // the next of this key comes when much else has been written
     }
@@ -59,10 +62,19 @@ Block* OpenBlocks::take(Slot slot) {
   return std::exchange(open_[slot], nullptr);
 }
 
+void OpenBlocks::send_full() {
+  if (full_count_ == 0) return;
+  queue_.push(std::span(full_).first(full_count_), version_);
+  full_count_ = 0;
+  top_of_full_ = kNoSlot;
+}
+
 void OpenBlocks::flush() {
   for (int slot = top(); slot != kNoSlot; slot = top()) {
-    queue_.push(static_cast<Slot>(slot), take(static_cast<Slot>(slot)), version_);
+    full_[full_count_++] = {static_cast<Slot>(slot), take(static_cast<Slot>(slot))};
+    if (full_count_ == kMostFull) send_full();
   }
+  send_full();
 }
 
 }  // namespace firstlight::priority

@@ -36,30 +36,36 @@ Block* RayQueue::add_locked(List& list, Block* block) {
   return nullptr;
 }
 
-void RayQueue::push(Slot slot, Block* block, std::uint64_t version) {
+void RayQueue::push(std::span<const Filled> blocks, std::uint64_t version) {
   Block* emptied = nullptr;
   {
     const std::lock_guard lock(mutex_);
-    if (version < version_) {
-      make_stale_locked(block);
-    } else {
-      emptied = add_locked(lists_[slot], block);
-      used_.insert(slot);
-      top_.store(used_.top(), std::memory_order_relaxed);
+    for (const auto& [slot, block] : blocks) {
+      block->next = nullptr;
+      if (version < version_) {
+        make_stale_locked(block);
+      } else {
+        if (Block* const left_over = add_locked(lists_[slot], block); left_over != nullptr) {
+          left_over->next = std::exchange(emptied, left_over);
+        }
+        used_.insert(slot);
+      }
+      if (idle() > 0) changed_.notify_one();
     }
-    if (idle() > 0) changed_.notify_one();
+    if (top() < used_.top()) top_.store(used_.top(), std::memory_order_relaxed);
   }
-  if (emptied != nullptr) pool_.release(emptied);
+  while (emptied != nullptr) pool_.release(std::exchange(emptied, emptied->next));
 }
 
-RayQueue::Popped RayQueue::pop_locked(int at_least, Among among) {
+RayQueue::Popped RayQueue::pop_locked(int at_least, Among among, int most) {
   const int top = used_.top(among);
   if (top == kNoSlot || top < at_least || closed()) return {};
   List& list = lists_[static_cast<Slot>(top)];
   Block* block = list.full;
   if (block != nullptr) {
-    list.full = block->next;
-    block->next = nullptr;
+    Block* last = block;
+    for (int i = 1; i < most && last->next != nullptr; ++i) last = last->next;
+    list.full = std::exchange(last->next, nullptr);
   } else {
     block = std::exchange(list.partial, nullptr);
   }
@@ -70,9 +76,9 @@ RayQueue::Popped RayQueue::pop_locked(int at_least, Among among) {
   return {block, static_cast<Slot>(top)};
 }
 
-RayQueue::Popped RayQueue::pop(int at_least, Among among) {
+RayQueue::Popped RayQueue::pop(int at_least, Among among, int most) {
   const std::lock_guard lock(mutex_);
-  return pop_locked(at_least, among);
+  return pop_locked(at_least, among, idle() > 0 ? 1 : most);
 }
 
 RayQueue::Popped RayQueue::wait_and_pop(const std::function<bool()>& refill) {
@@ -92,7 +98,7 @@ RayQueue::Popped RayQueue::wait_and_pop(const std::function<bool()>& refill) {
     changed_.wait(lock, [&, seen = refills_] { return closed() || something() || refills_ != seen; });
     idle_.fetch_sub(1, std::memory_order_relaxed);
   }
-  return pop_locked(0, Among::all);
+  return pop_locked(0, Among::all, 1);
 }
 
 void RayQueue::close() {

@@ -10,6 +10,7 @@
 #include <cstdint>
 #include <functional>
 #include <mutex>
+#include <span>
 
 namespace firstlight::priority {
 
@@ -22,21 +23,26 @@ namespace firstlight::priority {
 ///          keys and push it again before they trace on.
 /// Cost     push and pop O(1) a block, whatever waits.
 /// Memory   blocks come from `pool` and go back to it. At most one block of a slot is not full.
-/// Threads  push and pop from any worker; one lock a block, none a ray.
+/// Threads  push and pop from any worker; one lock for some blocks, none a ray.
 class RayQueue {
  public:
   /// `workers` threads will wait for work here.
   RayQueue(BlockPool& pool, int workers);
 
-  /// Takes `block`, filled by one worker with tasks of one `slot` of the order `version`.
-  void push(Slot slot, Block* block, std::uint64_t version);
+  /// A block with tasks of one slot.
+  struct Filled {
+    Slot slot = 0;
+    Block* block = nullptr;
+  };
+  /// Takes blocks that one worker has filled by the order `version`.
+  void push(std::span<const Filled> blocks, std::uint64_t version);
 
   struct Popped {
-    Block* block = nullptr;  ///< null: nothing waits
+    Block* block = nullptr;  ///< the first of a list; null: nothing waits
     Slot slot = 0;
   };
-  /// The fullest block of the highest slot, if that is `at_least` or more.
-  Popped pop(int at_least = 0, Among among = Among::all);
+  /// The fullest blocks of the highest slot, if that is `at_least` or more: up to `most` of them, one if others wait.
+  Popped pop(int at_least = 0, Among among = Among::all, int most = 1);
   /// As pop(), but waits while other workers may still push. When all have run dry, the last of them calls `refill`,
   /// while the others rest: true when there is something to do again. Null: look around for work of another kind, or
   /// closed().
@@ -79,7 +85,7 @@ class RayQueue {
     Block* full = nullptr;
     Block* partial = nullptr;  ///< neither full nor empty
   };
-  Popped pop_locked(int at_least, Among among);
+  Popped pop_locked(int at_least, Among among, int most);
   /// Returns a block that is left over, to be released; or null.
   Block* add_locked(List& list, Block* block);
   void make_stale_locked(Block* list);

@@ -23,13 +23,13 @@ void Worker::run() {
   while (!frame_.stopped()) {
     if (frame_.wants_rest()) rest();
     follow_order();
+    if (queue_.idle() > 0) open_.send_full();
     if (queue_.has_stale()) {
       rekey_block();
     } else if (primaries_are_next()) {
       trace_primaries();
     } else if (const RayQueue::Popped next = next_block(); next.block != nullptr) {
-      if (frame_.wants_rest()) rest();
-      trace_block(next);
+      trace_blocks(next);
       if (queue_.starving()) open_.flush();
     } else if (queue_.closed()) {
       return;
@@ -88,36 +88,53 @@ void Worker::trace_primaries() {
   keep_spawned(0);
 }
 
-void Worker::trace_block(const RayQueue::Popped& popped) {
+void Worker::trace_blocks(const RayQueue::Popped& popped) {
   frame_.popped(key_of(popped.slot));
-  const std::uint64_t taken = render::ray_count(popped.block->span());
-  if (std::ranges::any_of(shared_.tops, [&](const std::atomic<int>& top) {
-        return top.load(std::memory_order_relaxed) > static_cast<int>(popped.slot);
-      })) {
-    shared_.inverted_rays.fetch_add(taken, std::memory_order_relaxed);
+  for (Block* block = popped.block; block != nullptr;) {
+    Block* const next = block->next;
+    if (frame_.wants_rest()) rest();
+    if (frame_.stopped()) return;
+    note_inversion(popped.slot, render::ray_count(block->span()));
+    trace_block(block);
+    block = next;
   }
-  for (const render::RayTask& task : popped.block->span()) frame_.expect_light(task);
-  stepper_.step(popped.block->span());
+}
+
+void Worker::note_inversion(Slot slot, std::uint64_t rays) {
+  const auto is_above = [slot](const Shared::Top& top) {
+    return top.slot.load(std::memory_order_relaxed) > static_cast<int>(slot);
+  };
+  if (std::ranges::any_of(shared_.tops, is_above)) {
+    shared_.inverted_rays.fetch_add(rays, std::memory_order_relaxed);
+  }
+}
+
+void Worker::trace_block(Block* block) {
+  const std::uint64_t taken = render::ray_count(block->span());
+  for (const render::RayTask& task : block->span()) frame_.expect_light(task);
+  stepper_.step(block->span());
   frame_.add(stepper_.light(), stepper_.counts(), tally_);
-  scheme_->learn(popped.block->span(), stepper_.light(), stepper_.spawned());
-  open_.release(popped.block);
+  scheme_->learn(block->span(), stepper_.light(), stepper_.spawned());
+  open_.release(block);
   keep_spawned(taken);
 }
 
 // Of two equal slots the queue's block is preferred: it is the fuller one.
 RayQueue::Popped Worker::next_block() {
+  if (open_.top_of_full() >= queue_.top()) open_.send_full();
   if (queue_is_long()) {
     const int mine = open_.top(Among::shadows);
-    if (const RayQueue::Popped shared = queue_.pop(std::max(mine, 0), Among::shadows); shared.block != nullptr) {
+    if (const auto shared = queue_.pop(std::max(mine, 0), Among::shadows, kBlocksAtOnce); shared.block != nullptr) {
       return shared;
     }
     if (mine != kNoSlot) return {open_.take(static_cast<Slot>(mine)), static_cast<Slot>(mine)};
   }
   const int mine = open_.top();
   if (queue_.top() >= mine) {
-    if (const RayQueue::Popped shared = queue_.pop(mine); shared.block != nullptr) return shared;
+    if (const auto shared = queue_.pop(mine, Among::all, kBlocksAtOnce); shared.block != nullptr) return shared;
   }
   if (mine != kNoSlot) return {open_.take(static_cast<Slot>(mine)), static_cast<Slot>(mine)};
+  open_.send_full();  // others may have taken what came before it
   show_top(kNoSlot);
   report();
   return queue_.wait_and_pop([this] { return frame_.primaries().top() != kNoSlot || frame_.primaries().refill(); });
@@ -125,7 +142,7 @@ RayQueue::Popped Worker::next_block() {
 
 // Others look at it all the time, so it is changed only when it has to be.
 void Worker::show_top(int slot) {
-  std::atomic<int>& shown = shared_.tops[number_];
+  std::atomic<int>& shown = shared_.tops[number_].slot;
   if (shown.load(std::memory_order_relaxed) != slot) shown.store(slot, std::memory_order_relaxed);
 }
 

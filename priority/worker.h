@@ -21,14 +21,17 @@ struct Shared {
       : pool(options.queue_memory, options.block_size),
         queue(pool, options.threads),
         samples(static_cast<double>(samples_of_picture)),
-        tops(static_cast<std::size_t>(options.threads)) {
-    for (std::atomic<int>& top : tops) top = kNoSlot;
-  }
+        tops(static_cast<std::size_t>(options.threads)) {}
+
+  /// The highest slot of a worker's open blocks; on a line of its own, for that worker changes it all the time.
+  struct alignas(64) Top {
+    std::atomic<int> slot = kNoSlot;
+  };
 
   BlockPool pool;
   RayQueue queue;
   const double samples;
-  std::vector<std::atomic<int>> tops;  ///< the highest slot of each worker's open blocks
+  std::vector<Top> tops;  ///< of each worker
   std::atomic<bool> is_short_of_memory = false;
   std::atomic<std::uint64_t> inverted_rays = 0;
 };
@@ -44,6 +47,9 @@ class Worker {
   void run();
 
  private:
+  /// Few enough to keep to the order, enough that workers seldom meet at the queue.
+  static constexpr int kBlocksAtOnce = 4;
+
   /// Takes up a changed order.
   void follow_order();
   void rekey_block();
@@ -52,7 +58,9 @@ class Worker {
   /// Whether the next primary rays come before all that waits, and have room.
   bool primaries_are_next();
   void trace_primaries();
-  void trace_block(const RayQueue::Popped& popped);
+  void trace_blocks(const RayQueue::Popped& popped);
+  void trace_block(Block* block);
+  void note_inversion(Slot slot, std::uint64_t rays);
   RayQueue::Popped next_block();
   void show_top(int slot);
   /// Queues what the last step spawned; `taken` rays had left the queue for it.

@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <atomic>
 #include <memory>
 #include <random>
@@ -35,6 +36,9 @@ struct Bench {
   BlockPool pool;
   std::unique_ptr<RayQueue> queue = std::make_unique<RayQueue>(pool, 1);
 
+  void push(Slot slot, Block* block, std::uint64_t version) {
+    queue->push(std::array{RayQueue::Filled{slot, block}}, version);
+  }
   Block* block(std::uint32_t count, std::uint32_t first_sample = 0) {
     Block* const out = pool.acquire();
     for (std::uint32_t i = 0; i < count; ++i) out->tasks[out->count++] = task_of(first_sample + i);
@@ -112,7 +116,7 @@ TEST(BlockPool, GivesEmptyBlocks) {
 
 TEST(RayQueue, HighestSlotLeavesFirst) {
   Bench bench;
-  for (const Slot slot : {3u, 200u, 17u, 8191u}) bench.queue->push(slot, bench.block(slot % 50 + 1), kVersion);
+  for (const Slot slot : {3u, 200u, 17u, 8191u}) bench.push(slot, bench.block(slot % 50 + 1), kVersion);
   for (const Slot slot : {8191u, 200u, 17u, 3u}) {
     const auto popped = bench.queue->pop();
     ASSERT_NE(popped.block, nullptr);
@@ -134,23 +138,39 @@ TEST(RayQueue, RadianceLeavesBeforeShadowsOfTheSameKeyAndAfterAHigherKey) {
 
 TEST(RayQueue, GivesNothingBelowWhatIsAskedFor) {
   Bench bench;
-  bench.queue->push(10, bench.block(5), kVersion);
+  bench.push(10, bench.block(5), kVersion);
   EXPECT_EQ(bench.queue->pop(11).block, nullptr);
   EXPECT_NE(bench.queue->pop(10).block, nullptr);
 }
 
 TEST(RayQueue, FullBlocksLeaveBeforeTheOthersOfTheirSlot) {
   Bench bench;
-  bench.queue->push(4, bench.block(10), kVersion);
-  bench.queue->push(4, bench.block(BlockPool::kLargestBlock), kVersion);
+  bench.push(4, bench.block(10), kVersion);
+  bench.push(4, bench.block(BlockPool::kLargestBlock), kVersion);
   EXPECT_EQ(bench.queue->pop().block->count, BlockPool::kLargestBlock);
   EXPECT_EQ(bench.queue->pop().block->count, 10u);
+}
+
+TEST(RayQueue, GivesSeveralFullBlocksOfOneSlotAtOnce) {
+  Bench bench;
+  std::vector<RayQueue::Filled> blocks;
+  for (const Slot slot : {4u, 9u, 4u, 4u, 4u}) blocks.push_back({slot, bench.block(BlockPool::kLargestBlock)});
+  blocks.push_back({4, bench.block(3)});
+  bench.queue->push(blocks, kVersion);
+  for (const auto& [slot, length] : {std::pair(9u, 1), {4u, 3}, {4u, 1}, {4u, 1}}) {
+    const auto popped = bench.queue->pop(0, Among::all, 3);
+    EXPECT_EQ(popped.slot, slot);
+    int count = 0;
+    for (const Block* block = popped.block; block != nullptr; block = block->next) ++count;
+    EXPECT_EQ(count, length);
+  }
+  EXPECT_EQ(bench.queue->pop(0, Among::all, 3).block, nullptr);
 }
 
 TEST(RayQueue, JoinsHalfEmptyBlocksWithoutLosingARay) {
   Bench bench;
   constexpr std::uint32_t kPart = BlockPool::kLargestBlock * 2 / 3;  // two fill a block and leave some over
-  for (std::uint32_t i = 0; i < 5; ++i) bench.queue->push(9, bench.block(kPart, i * kPart), kVersion);
+  for (std::uint32_t i = 0; i < 5; ++i) bench.push(9, bench.block(kPart, i * kPart), kVersion);
   EXPECT_EQ(bench.pool.bytes(), 4 * bench.pool.block_bytes()) << "five thirds of two blocks fit into four";
   std::vector<bool> seen(5 * kPart);
   for (auto popped = bench.queue->pop(); popped.block != nullptr; popped = bench.queue->pop()) {
@@ -166,7 +186,7 @@ TEST(RayQueue, JoinsHalfEmptyBlocksWithoutLosingARay) {
 
 TEST(RayQueue, ALoneWorkerThatFindsNothingIsDone) {
   Bench bench;
-  bench.queue->push(1, bench.block(1), kVersion);
+  bench.push(1, bench.block(1), kVersion);
   EXPECT_NE(bench.queue->wait_and_pop(no_more).block, nullptr);
   EXPECT_EQ(bench.queue->wait_and_pop(no_more).block, nullptr);
 }
@@ -183,7 +203,7 @@ TEST(RayQueue, AWaitingWorkerGetsWhatAnotherPushesAndBothEnd) {
   });
   Block* const block = pool.acquire();
   block->count = 3;
-  queue->push(7, block, kVersion);
+  queue->push(std::array{RayQueue::Filled{7, block}}, kVersion);
   std::uint32_t own = 0;
   for (auto popped = queue->wait_and_pop(no_more); popped.block != nullptr; popped = queue->wait_and_pop(no_more)) {
     own += popped.block->count;
@@ -209,8 +229,8 @@ TEST(RayQueue, TheLastWorkerToRunDryMayFindMoreAndWakesTheOthers) {
 
 TEST(RayQueue, AnotherOrderMakesAllThatWaitsStaleOnce) {
   Bench bench;
-  bench.queue->push(3, bench.block(5), 1);
-  bench.queue->push(900, bench.block(7), 1);
+  bench.push(3, bench.block(5), 1);
+  bench.push(900, bench.block(7), 1);
   bench.queue->begin_rekey(2);
   bench.queue->begin_rekey(2);
   EXPECT_EQ(bench.queue->top(), kNoSlot);
@@ -220,7 +240,7 @@ TEST(RayQueue, AnotherOrderMakesAllThatWaitsStaleOnce) {
     ASSERT_NE(block, nullptr);
     const std::uint32_t count = block->count;
     rays += count;
-    bench.queue->push(40, block, 2);
+    bench.push(40, block, 2);
     bench.queue->rekeyed(count);
   }
   EXPECT_EQ(rays, 12u);
@@ -232,7 +252,7 @@ TEST(RayQueue, AnotherOrderMakesAllThatWaitsStaleOnce) {
 TEST(RayQueue, WhatComesInAnOlderOrderIsStaleAtOnce) {
   Bench bench;
   bench.queue->begin_rekey(5);
-  bench.queue->push(3, bench.block(5), 4);
+  bench.push(3, bench.block(5), 4);
   EXPECT_TRUE(bench.queue->has_stale());
   EXPECT_EQ(bench.queue->top(), kNoSlot);
 }
@@ -270,6 +290,8 @@ TEST(OpenBlocks, KeepEveryRayUnderItsKey) {
   open->scatter(tasks, keys, overflow);
   EXPECT_TRUE(overflow.empty());
   EXPECT_NE(bench.queue->top(), kNoSlot) << "full blocks are handed on";
+  open->send_full();
+  EXPECT_EQ(open->top_of_full(), kNoSlot);
   EXPECT_EQ(open->top(), static_cast<int>(slot_of(19, RayKind::reflection)));
   open->flush();
   EXPECT_EQ(open->top(), kNoSlot);
