@@ -67,7 +67,7 @@ class Contribution final : public Scheme {
 
  private:
   float gain(const RayTask& task) const {
-    if (task.kind == RayKind::primary) return render::max_magnitude(task.weight()) * kPrimaryGain;
+    if (task.kind == RayKind::primary) return task.max_weight() * kPrimaryGain;
     const std::size_t cell = cells_.of(task);
     if (task.kind != RayKind::shadow) {
       return mean_magnitude(task.weight()) * gains_.gain(cell, task) * kRayShare;

@@ -25,7 +25,6 @@ void PrimaryRays::append(double x, double y, std::uint32_t sample, PrimaryBatch&
   const Ray ray = primary_ray(scene_.camera, x, y, width_, height_);
   RayTask& task = batch.tasks.emplace_back(unmade_);
   task.origin = ray.origin;
-  task.set_direction(PackedDirection(ray.direction));
   task.sample = sample;
   batch.rays.push_back(ray);
 }

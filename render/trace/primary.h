@@ -9,8 +9,8 @@
 
 namespace firstlight::render {
 
-/// Primary rays and their tasks, place by place. The rays are kept beside the tasks in full precision: a scene's
-/// surfaces often lie exactly on the rows and columns of pixels.
+/// Primary rays and their tasks, place by place. The rays are kept beside the tasks, which have no directions, in full
+/// precision: a scene's surfaces often lie exactly on the rows and columns of pixels.
 struct PrimaryBatch {
   std::vector<RayTask> tasks;
   std::vector<Ray> rays;

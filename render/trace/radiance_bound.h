@@ -35,7 +35,7 @@ class RadianceBound {
     if (task.kind == RayKind::shadow) return of_feelers(task);
     const bool continued = (task.flags & RayTask::kContinued) != 0;
     const float most = this->most(continued && task.level > 0 ? task.level - 1 : task.level);
-    return 1 + FixedRgb::to_fixed(max_magnitude(task.weight()) * most);
+    return 1 + FixedRgb::to_fixed(task.max_weight() * most);
   }
 
   /// The most that feelers may take back which hold `held` in the channel that has most. Where nothing is proved, what

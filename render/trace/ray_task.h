@@ -84,6 +84,13 @@ class RayTask {
     return {std::bit_cast<float>(radiance_.red & kUpperBits), std::bit_cast<float>(radiance_.green & kUpperBits),
             std::bit_cast<float>(last_ & kUpperBits)};
   }
+  bool is_black() const { return ((radiance_.red | radiance_.green | last_) & kMagnitude) == 0; }
+  /// The largest channel of the weight in size.
+  float max_weight() const {
+    // Of numbers without a sign, the larger has the larger bits.
+    return std::bit_cast<float>(
+        std::max({radiance_.red & kMagnitude, radiance_.green & kMagnitude, last_ & kMagnitude}));
+  }
   /// Scalar weight by which POV-Ray prunes (adc_bailout).
   float adc_weight() const {
     return std::bit_cast<float>((last_ & kLowBits) << 24 | (radiance_.green & kLowBits) << 16 |
@@ -141,6 +148,7 @@ class RayTask {
   static constexpr std::uint32_t kFirstLight = kMostLights - 1;
   static constexpr std::uint32_t kLowBits = 0xff;
   static constexpr std::uint32_t kUpperBits = ~kLowBits;
+  static constexpr std::uint32_t kMagnitude = kUpperBits >> 1 & kUpperBits;  ///< without the sign
 
   static std::uint32_t rounded(float weight) {
     return (std::bit_cast<std::uint32_t>(weight) + (kLowBits + 1) / 2) & kUpperBits;

@@ -208,7 +208,7 @@ void Stepper::begin_child(RayTask& child, std::size_t hit, RayKind kind) const {
 
 void Stepper::end_ray(const Surface& surface) {
   const RayTask& ray = spawned_.back();
-  if (is_black(ray.weight()) || !is_worth_tracing(context_.scene.settings, ray)) {
+  if (ray.is_black() || !is_worth_tracing(context_.scene.settings, ray)) {
     spawned_.pop_back();
   } else {
     surface.sum->outstanding += bound_.at_stake(ray);

@@ -69,6 +69,8 @@ TEST(RayTask, KeepsWeightsToSixteenBits) {
     for (const auto& [is, was] : {std::pair(kept.x, weight.x), {kept.y, weight.y}, {kept.z, weight.z}}) {
       ASSERT_NEAR(is, was, std::abs(was) * 0x1p-16f);
     }
+    ASSERT_EQ(task.max_weight(), max_magnitude(kept));
+    ASSERT_FALSE(task.is_black());
     ASSERT_GE(task.adc_weight(), adc_weight);
     ASSERT_LE(task.adc_weight(), adc_weight * (1.0f + 0x1p-15f));
     const float adc_kept = task.adc_weight();
@@ -84,6 +86,8 @@ TEST(RayTask, KeepsSimpleWeightsExactly) {
   task.set_weight(Rgb(1.0f, 0.5f, 0.0f), 0.25f);
   EXPECT_EQ(task.weight(), Rgb(1.0f, 0.5f, 0.0f));
   EXPECT_EQ(task.adc_weight(), 0.25f);
+  task.set_weight(Rgb(0.0f, -0.0f, 0.0f), 1.0f);
+  EXPECT_TRUE(task.is_black());
 }
 
 TEST(PackedRgb, KeepsEachComponentToAMillionthPartOrSoOfTheLargest) {
