@@ -28,7 +28,7 @@ constexpr float kPrimaryGain = 0.004f;
 constexpr double kLongQueue = 4.5;
 
 /// Tasks of which one is learnt from: neighbours tell much the same, and learning takes time.
-constexpr std::size_t kLearnOneOf = 16;
+constexpr std::size_t kLearnOneOf = 32;
 
 constexpr LogScale kScale(-30, 10, 4);
 
