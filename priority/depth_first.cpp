@@ -25,14 +25,14 @@ void DepthFirst::run(std::span<const render::RayTask> roots) {
   }
 }
 
-void trace_recursively(Frame& frame, render::Stepper& stepper, RayQueue& queue) {
+void trace_recursively(Frame& frame, render::Stepper& stepper, RayQueue& queue, std::size_t worker) {
   Tally tally;
   DepthFirst depth_first(frame, stepper, tally);
   PrimaryOrder::Batch batch;
   while (!queue.closed()) {
     if (!frame.primaries().next(batch)) {
       frame.report(stepper.counts(), tally);
-      queue.wait_and_pop([&frame] { return frame.primaries().refill(); });
+      queue.wait_and_pop(worker, [&frame] { return frame.primaries().refill(); });
       continue;
     }
     for (std::size_t i = 0; i < batch.rays.tasks.size(); ++i) {

@@ -30,7 +30,7 @@ class DepthFirst {
 };
 
 /// The traditional order, the baseline of all comparisons: pixel by pixel, each with its whole tree, depth first. The
-/// workers only meet at the `queue`, when there are no more pixels.
-void trace_recursively(Frame& frame, render::Stepper& stepper, RayQueue& queue);
+/// workers only meet at the `queue`, when there are no more pixels. `worker`: the number of the calling one.
+void trace_recursively(Frame& frame, render::Stepper& stepper, RayQueue& queue, std::size_t worker);
 
 }  // namespace firstlight::priority

@@ -27,7 +27,7 @@ void work(Frame& frame, Shared& shared, const TraceOptions& options, std::size_t
   try {
     render::Stepper stepper(frame.context(), frame.surfaces());
     if (options.scheme == nullptr) {
-      trace_recursively(frame, stepper, shared.queue);
+      trace_recursively(frame, stepper, shared.queue, number);
     } else {
       const auto worker = std::make_unique<Worker>(frame, stepper, shared, options, number);
       worker->run();

@@ -6,9 +6,10 @@
 namespace firstlight::priority {
 
 // With a small budget none: what one worker keeps, the others cannot use.
-OpenBlocks::OpenBlocks(BlockPool& pool, RayQueue& queue)
+OpenBlocks::OpenBlocks(BlockPool& pool, RayQueue& queue, std::size_t worker)
     : pool_(pool),
       queue_(queue),
+      worker_(worker),
       most_spare_(pool.budget() == 0 ? kMostSpare : std::min(kMostSpare, pool.budget() / pool.block_bytes() / 4096)),
       open_{} {}
 
@@ -64,7 +65,7 @@ Block* OpenBlocks::take(Slot slot) {
 
 void OpenBlocks::send_full() {
   if (full_count_ == 0) return;
-  queue_.push(std::span(full_).first(full_count_), version_);
+  queue_.push(std::span(full_).first(full_count_), version_, worker_);
   full_count_ = 0;
   top_of_full_ = kNoSlot;
 }

@@ -18,7 +18,8 @@ namespace firstlight::priority {
 /// Threads  One a thread.
 class OpenBlocks {
  public:
-  OpenBlocks(BlockPool& pool, RayQueue& queue);
+  /// `worker`: its number.
+  OpenBlocks(BlockPool& pool, RayQueue& queue, std::size_t worker);
   ~OpenBlocks();
   OpenBlocks(const OpenBlocks&) = delete;
   OpenBlocks& operator=(const OpenBlocks&) = delete;
@@ -54,6 +55,7 @@ class OpenBlocks {
 
   BlockPool& pool_;
   RayQueue& queue_;
+  const std::size_t worker_;
   const std::size_t most_spare_;
   std::size_t spare_count_ = 0;
   std::array<Block*, kMostSpare> spare_;

@@ -5,38 +5,41 @@
 
 namespace firstlight::priority {
 
-RayQueue::RayQueue(BlockPool& pool, int workers) : pool_(pool), workers_(workers), lists_{} {}
+RayQueue::RayQueue(BlockPool& pool, int workers)
+    : pool_(pool), workers_(workers), full_(static_cast<std::size_t>(workers), Lists{}), slots_{} {}
 
-Block* RayQueue::add_locked(List& list, Block* block) {
+void RayQueue::add_full_locked(Slot slot, Block* block, std::size_t worker) {
+  block->next = std::exchange(full_[worker][slot], block);
+  ++slots_[slot].full;
+}
+
+Block* RayQueue::add_locked(Slot slot, Block* block, std::size_t worker) {
   const std::uint32_t size = pool_.block_size();
-  const auto add_full = [&list](Block* full) {
-    full->next = list.full;
-    list.full = full;
-  };
   if (block->count == size) {
-    add_full(block);
+    add_full_locked(slot, block, worker);
     return nullptr;
   }
-  if (list.partial == nullptr) {
-    list.partial = block;
+  Block*& partial = slots_[slot].partial;
+  if (partial == nullptr) {
+    partial = block;
     return nullptr;
   }
   // Two half-empty blocks become one, so that flushing early costs no memory.
-  Block* const into = list.partial;
+  Block* const into = partial;
   const std::uint32_t moved = std::min(size - into->count, block->count);
   std::copy_n(block->tasks + block->count - moved, moved, into->tasks + into->count);
   into->count += moved;
   block->count -= moved;
   if (into->count == size) {
-    add_full(into);
-    list.partial = nullptr;
+    add_full_locked(slot, into, worker);
+    partial = nullptr;
   }
   if (block->count == 0) return block;
-  list.partial = block;
+  partial = block;
   return nullptr;
 }
 
-void RayQueue::push(std::span<const Filled> blocks, std::uint64_t version) {
+void RayQueue::push(std::span<const Filled> blocks, std::uint64_t version, std::size_t worker) {
   Block* emptied = nullptr;
   {
     const std::lock_guard lock(mutex_);
@@ -45,7 +48,7 @@ void RayQueue::push(std::span<const Filled> blocks, std::uint64_t version) {
       if (version < version_) {
         make_stale_locked(block);
       } else {
-        if (Block* const left_over = add_locked(lists_[slot], block); left_over != nullptr) {
+        if (Block* const left_over = add_locked(slot, block, worker); left_over != nullptr) {
           left_over->next = std::exchange(emptied, left_over);
         }
         used_.insert(slot);
@@ -57,31 +60,41 @@ void RayQueue::push(std::span<const Filled> blocks, std::uint64_t version) {
   while (emptied != nullptr) pool_.release(std::exchange(emptied, emptied->next));
 }
 
-RayQueue::Popped RayQueue::pop_locked(int at_least, Among among, int most) {
+std::size_t RayQueue::owner_locked(Slot slot, std::size_t worker) const {
+  while (full_[worker][slot] == nullptr) worker = (worker + 1) % full_.size();
+  return worker;
+}
+
+RayQueue::Popped RayQueue::pop_locked(std::size_t worker, int at_least, Among among, int most) {
   const int top = used_.top(among);
   if (top == kNoSlot || top < at_least || closed()) return {};
-  List& list = lists_[static_cast<Slot>(top)];
-  Block* block = list.full;
-  if (block != nullptr) {
+  const auto slot = static_cast<Slot>(top);
+  InSlot& in_slot = slots_[slot];
+  Block* block = nullptr;
+  if (in_slot.full > 0) {
+    Block*& list = full_[owner_locked(slot, worker)][slot];
+    block = list;
     Block* last = block;
-    for (int i = 1; i < most && last->next != nullptr; ++i) last = last->next;
-    list.full = std::exchange(last->next, nullptr);
+    int count = 1;
+    for (; count < most && last->next != nullptr; ++count) last = last->next;
+    list = std::exchange(last->next, nullptr);
+    in_slot.full -= static_cast<std::uint32_t>(count);
   } else {
-    block = std::exchange(list.partial, nullptr);
+    block = std::exchange(in_slot.partial, nullptr);
   }
-  if (list.full == nullptr && list.partial == nullptr) {
-    used_.erase(static_cast<Slot>(top));
+  if (in_slot.full == 0 && in_slot.partial == nullptr) {
+    used_.erase(slot);
     top_.store(used_.top(), std::memory_order_relaxed);
   }
-  return {block, static_cast<Slot>(top)};
+  return {block, slot};
 }
 
-RayQueue::Popped RayQueue::pop(int at_least, Among among, int most) {
+RayQueue::Popped RayQueue::pop(std::size_t worker, int at_least, Among among, int most) {
   const std::lock_guard lock(mutex_);
-  return pop_locked(at_least, among, idle() > 0 ? 1 : most);
+  return pop_locked(worker, at_least, among, idle() > 0 ? 1 : most);
 }
 
-RayQueue::Popped RayQueue::wait_and_pop(const std::function<bool()>& refill) {
+RayQueue::Popped RayQueue::wait_and_pop(std::size_t worker, const std::function<bool()>& refill) {
   std::unique_lock lock(mutex_);
   const auto something = [this] { return used_.top() != kNoSlot || stale_ != nullptr; };
   if (idle() + 1 == workers_ && !something() && !closed()) {
@@ -98,7 +111,7 @@ RayQueue::Popped RayQueue::wait_and_pop(const std::function<bool()>& refill) {
     changed_.wait(lock, [&, seen = refills_] { return closed() || something() || refills_ != seen; });
     idle_.fetch_sub(1, std::memory_order_relaxed);
   }
-  return pop_locked(0, Among::all, 1);
+  return pop_locked(worker, 0, Among::all, 1);
 }
 
 void RayQueue::close() {
@@ -128,8 +141,9 @@ void RayQueue::begin_rekey(std::uint64_t version) {
   version_ = version;
   for (int top = used_.top(); top != kNoSlot; top = used_.top()) {
     const auto slot = static_cast<Slot>(top);
-    make_stale_locked(std::exchange(lists_[slot].full, nullptr));
-    make_stale_locked(std::exchange(lists_[slot].partial, nullptr));
+    for (Lists& lists : full_) make_stale_locked(std::exchange(lists[slot], nullptr));
+    slots_[slot].full = 0;
+    make_stale_locked(std::exchange(slots_[slot].partial, nullptr));
     used_.erase(slot);
   }
   top_.store(kNoSlot, std::memory_order_relaxed);

@@ -11,6 +11,7 @@
 #include <functional>
 #include <mutex>
 #include <span>
+#include <vector>
 
 namespace firstlight::priority {
 
@@ -18,6 +19,7 @@ namespace firstlight::priority {
 ///
 /// Key      integer in [0, kBuckets); the largest leaves first, equal keys are interchangeable.
 ///          [Yagel & Meeker 1997, section 4]
+///          Of one slot a worker gets the blocks first that it has filled itself: what their rays need is in its caches.
 /// Order    of a version: when the order changes, all that waits becomes stale, and the workers take it out, give it
 /// new
 ///          keys and push it again before they trace on.
@@ -34,19 +36,20 @@ class RayQueue {
     Slot slot = 0;
     Block* block = nullptr;
   };
-  /// Takes blocks that one worker has filled by the order `version`.
-  void push(std::span<const Filled> blocks, std::uint64_t version);
+  /// Takes blocks that `worker` has filled by the order `version`.
+  void push(std::span<const Filled> blocks, std::uint64_t version, std::size_t worker);
 
   struct Popped {
     Block* block = nullptr;  ///< the first of a list; null: nothing waits
     Slot slot = 0;
   };
-  /// The fullest blocks of the highest slot, if that is `at_least` or more: up to `most` of them, one if others wait.
-  Popped pop(int at_least = 0, Among among = Among::all, int most = 1);
+  /// For `worker`, full blocks of the highest slot, or one that is not full, if the slot is `at_least` or more. Up to
+  /// `most` of them; one if others wait.
+  Popped pop(std::size_t worker, int at_least = 0, Among among = Among::all, int most = 1);
   /// As pop(), but waits while other workers may still push. When all have run dry, the last of them calls `refill`,
   /// while the others rest: true when there is something to do again. Null: look around for work of another kind, or
   /// closed().
-  Popped wait_and_pop(const std::function<bool()>& refill);
+  Popped wait_and_pop(std::size_t worker, const std::function<bool()>& refill);
   /// Wakes all who wait; nothing more comes out.
   void close();
   bool closed() const { return closed_.load(std::memory_order_relaxed); }
@@ -81,20 +84,25 @@ class RayQueue {
 
  private:
   using Clock = std::chrono::steady_clock;
-  struct List {
-    Block* full = nullptr;
+  using Lists = std::array<Block*, kSlots>;
+  struct InSlot {
+    std::uint32_t full = 0;    ///< blocks, of all workers
     Block* partial = nullptr;  ///< neither full nor empty
   };
-  Popped pop_locked(int at_least, Among among, int most);
+  Popped pop_locked(std::size_t worker, int at_least, Among among, int most);
+  /// The worker whose blocks of the slot leave, `worker` itself if it has any. Pre: somebody has a full one.
+  std::size_t owner_locked(Slot slot, std::size_t worker) const;
+  void add_full_locked(Slot slot, Block* block, std::size_t worker);
   /// Returns a block that is left over, to be released; or null.
-  Block* add_locked(List& list, Block* block);
+  Block* add_locked(Slot slot, Block* block, std::size_t worker);
   void make_stale_locked(Block* list);
 
   BlockPool& pool_;
   const int workers_;
   mutable std::mutex mutex_;
   std::condition_variable changed_;
-  std::array<List, kSlots> lists_;
+  std::vector<Lists> full_;  // of each worker
+  std::array<InSlot, kSlots> slots_;
   SlotSet used_;
   std::uint64_t version_ = 0;
   Block* stale_ = nullptr;

@@ -15,7 +15,7 @@ Worker::Worker(Frame& frame, render::Stepper& stepper, Shared& shared, const Tra
       steering_(options.steering),
       number_(number),
       scheme_(options.scheme),
-      open_(pool_, queue_),
+      open_(pool_, queue_, number),
       depth_first_(frame, stepper, tally_) {}
 
 void Worker::run() {
@@ -124,20 +124,20 @@ RayQueue::Popped Worker::next_block() {
   if (open_.top_of_full() >= queue_.top()) open_.send_full();
   if (queue_is_long()) {
     const int mine = open_.top(Among::shadows);
-    if (const auto shared = queue_.pop(std::max(mine, 0), Among::shadows, kBlocksAtOnce); shared.block != nullptr) {
+    if (const auto shared = queue_.pop(number_, std::max(mine, 0), Among::shadows, kBlocksAtOnce); shared.block != nullptr) {
       return shared;
     }
     if (mine != kNoSlot) return {open_.take(static_cast<Slot>(mine)), static_cast<Slot>(mine)};
   }
   const int mine = open_.top();
   if (queue_.top() >= mine) {
-    if (const auto shared = queue_.pop(mine, Among::all, kBlocksAtOnce); shared.block != nullptr) return shared;
+    if (const auto shared = queue_.pop(number_, mine, Among::all, kBlocksAtOnce); shared.block != nullptr) return shared;
   }
   if (mine != kNoSlot) return {open_.take(static_cast<Slot>(mine)), static_cast<Slot>(mine)};
   open_.send_full();  // others may have taken what came before it
   show_top(kNoSlot);
   report();
-  return queue_.wait_and_pop([this] { return frame_.primaries().top() != kNoSlot || frame_.primaries().refill(); });
+  return queue_.wait_and_pop(number_, [this] { return frame_.primaries().top() != kNoSlot || frame_.primaries().refill(); });
 }
 
 // Others look at it all the time, so it is changed only when it has to be.

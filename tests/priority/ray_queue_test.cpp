@@ -37,7 +37,7 @@ struct Bench {
   std::unique_ptr<RayQueue> queue = std::make_unique<RayQueue>(pool, 1);
 
   void push(Slot slot, Block* block, std::uint64_t version) {
-    queue->push(std::array{RayQueue::Filled{slot, block}}, version);
+    queue->push(std::array{RayQueue::Filled{slot, block}}, version, 0);
   }
   Block* block(std::uint32_t count, std::uint32_t first_sample = 0) {
     Block* const out = pool.acquire();
@@ -118,12 +118,12 @@ TEST(RayQueue, HighestSlotLeavesFirst) {
   Bench bench;
   for (const Slot slot : {3u, 200u, 17u, 8191u}) bench.push(slot, bench.block(slot % 50 + 1), kVersion);
   for (const Slot slot : {8191u, 200u, 17u, 3u}) {
-    const auto popped = bench.queue->pop();
+    const auto popped = bench.queue->pop(0);
     ASSERT_NE(popped.block, nullptr);
     EXPECT_EQ(popped.slot, slot);
     EXPECT_EQ(popped.block->count, slot % 50 + 1);
   }
-  EXPECT_EQ(bench.queue->pop().block, nullptr);
+  EXPECT_EQ(bench.queue->pop(0).block, nullptr);
   EXPECT_EQ(bench.queue->top(), kNoSlot);
 }
 
@@ -139,16 +139,16 @@ TEST(RayQueue, RadianceLeavesBeforeShadowsOfTheSameKeyAndAfterAHigherKey) {
 TEST(RayQueue, GivesNothingBelowWhatIsAskedFor) {
   Bench bench;
   bench.push(10, bench.block(5), kVersion);
-  EXPECT_EQ(bench.queue->pop(11).block, nullptr);
-  EXPECT_NE(bench.queue->pop(10).block, nullptr);
+  EXPECT_EQ(bench.queue->pop(0, 11).block, nullptr);
+  EXPECT_NE(bench.queue->pop(0, 10).block, nullptr);
 }
 
 TEST(RayQueue, FullBlocksLeaveBeforeTheOthersOfTheirSlot) {
   Bench bench;
   bench.push(4, bench.block(10), kVersion);
   bench.push(4, bench.block(BlockPool::kLargestBlock), kVersion);
-  EXPECT_EQ(bench.queue->pop().block->count, BlockPool::kLargestBlock);
-  EXPECT_EQ(bench.queue->pop().block->count, 10u);
+  EXPECT_EQ(bench.queue->pop(0).block->count, BlockPool::kLargestBlock);
+  EXPECT_EQ(bench.queue->pop(0).block->count, 10u);
 }
 
 TEST(RayQueue, GivesSeveralFullBlocksOfOneSlotAtOnce) {
@@ -156,15 +156,33 @@ TEST(RayQueue, GivesSeveralFullBlocksOfOneSlotAtOnce) {
   std::vector<RayQueue::Filled> blocks;
   for (const Slot slot : {4u, 9u, 4u, 4u, 4u}) blocks.push_back({slot, bench.block(BlockPool::kLargestBlock)});
   blocks.push_back({4, bench.block(3)});
-  bench.queue->push(blocks, kVersion);
+  bench.queue->push(blocks, kVersion, 0);
   for (const auto& [slot, length] : {std::pair(9u, 1), {4u, 3}, {4u, 1}, {4u, 1}}) {
-    const auto popped = bench.queue->pop(0, Among::all, 3);
+    const auto popped = bench.queue->pop(0, 0, Among::all, 3);
     EXPECT_EQ(popped.slot, slot);
     int count = 0;
     for (const Block* block = popped.block; block != nullptr; block = block->next) ++count;
     EXPECT_EQ(count, length);
   }
-  EXPECT_EQ(bench.queue->pop(0, Among::all, 3).block, nullptr);
+  EXPECT_EQ(bench.queue->pop(0, 0, Among::all, 3).block, nullptr);
+}
+
+TEST(RayQueue, OfOneSlotAWorkersOwnBlocksLeaveFirst) {
+  BlockPool pool;
+  RayQueue queue(pool, 3);
+  const auto full = [&](std::uint32_t sample) {
+    Block* const block = pool.acquire();
+    block->count = pool.block_size();
+    std::fill_n(block->tasks, block->count, task_of(sample));
+    return block;
+  };
+  queue.push(std::array{RayQueue::Filled{5, full(1)}, RayQueue::Filled{3, full(10)}}, kVersion, 1);
+  queue.push(std::array{RayQueue::Filled{5, full(2)}, RayQueue::Filled{3, full(20)}}, kVersion, 2);
+  EXPECT_EQ(queue.pop(2).block->tasks[0].sample, 2u);
+  EXPECT_EQ(queue.pop(2).block->tasks[0].sample, 1u) << "the slot comes before the worker";
+  EXPECT_EQ(queue.pop(1).block->tasks[0].sample, 10u);
+  EXPECT_EQ(queue.pop(0).block->tasks[0].sample, 20u);
+  EXPECT_EQ(queue.pop(0).block, nullptr);
 }
 
 TEST(RayQueue, JoinsHalfEmptyBlocksWithoutLosingARay) {
@@ -173,7 +191,7 @@ TEST(RayQueue, JoinsHalfEmptyBlocksWithoutLosingARay) {
   for (std::uint32_t i = 0; i < 5; ++i) bench.push(9, bench.block(kPart, i * kPart), kVersion);
   EXPECT_EQ(bench.pool.bytes(), 4 * bench.pool.block_bytes()) << "five thirds of two blocks fit into four";
   std::vector<bool> seen(5 * kPart);
-  for (auto popped = bench.queue->pop(); popped.block != nullptr; popped = bench.queue->pop()) {
+  for (auto popped = bench.queue->pop(0); popped.block != nullptr; popped = bench.queue->pop(0)) {
     for (const RayTask& task : popped.block->span()) {
       EXPECT_FALSE(seen[task.sample]);
       seen[task.sample] = true;
@@ -187,8 +205,8 @@ TEST(RayQueue, JoinsHalfEmptyBlocksWithoutLosingARay) {
 TEST(RayQueue, ALoneWorkerThatFindsNothingIsDone) {
   Bench bench;
   bench.push(1, bench.block(1), kVersion);
-  EXPECT_NE(bench.queue->wait_and_pop(no_more).block, nullptr);
-  EXPECT_EQ(bench.queue->wait_and_pop(no_more).block, nullptr);
+  EXPECT_NE(bench.queue->wait_and_pop(0, no_more).block, nullptr);
+  EXPECT_EQ(bench.queue->wait_and_pop(0, no_more).block, nullptr);
 }
 
 TEST(RayQueue, AWaitingWorkerGetsWhatAnotherPushesAndBothEnd) {
@@ -196,16 +214,16 @@ TEST(RayQueue, AWaitingWorkerGetsWhatAnotherPushesAndBothEnd) {
   const auto queue = std::make_unique<RayQueue>(pool, 2);
   std::uint32_t received = 0;
   std::jthread other([&] {
-    for (auto popped = queue->wait_and_pop(no_more); popped.block != nullptr; popped = queue->wait_and_pop(no_more)) {
+    for (auto popped = queue->wait_and_pop(0, no_more); popped.block != nullptr; popped = queue->wait_and_pop(0, no_more)) {
       received += popped.block->count;
       pool.release(popped.block);
     }
   });
   Block* const block = pool.acquire();
   block->count = 3;
-  queue->push(std::array{RayQueue::Filled{7, block}}, kVersion);
+  queue->push(std::array{RayQueue::Filled{7, block}}, kVersion, 0);
   std::uint32_t own = 0;
-  for (auto popped = queue->wait_and_pop(no_more); popped.block != nullptr; popped = queue->wait_and_pop(no_more)) {
+  for (auto popped = queue->wait_and_pop(0, no_more); popped.block != nullptr; popped = queue->wait_and_pop(0, no_more)) {
     own += popped.block->count;
   }
   other.join();
@@ -218,7 +236,7 @@ TEST(RayQueue, TheLastWorkerToRunDryMayFindMoreAndWakesTheOthers) {
   std::atomic<int> refills = 0;
   const auto refill = [&] { return ++refills <= 3; };
   const auto work = [&] {
-    while (!queue->closed()) EXPECT_EQ(queue->wait_and_pop(refill).block, nullptr);
+    while (!queue->closed()) EXPECT_EQ(queue->wait_and_pop(0, refill).block, nullptr);
   };
   {
     std::jthread one(work);
@@ -244,7 +262,7 @@ TEST(RayQueue, AnotherOrderMakesAllThatWaitsStaleOnce) {
     bench.queue->rekeyed(count);
   }
   EXPECT_EQ(rays, 12u);
-  EXPECT_EQ(bench.queue->pop().slot, 40u);
+  EXPECT_EQ(bench.queue->pop(0).slot, 40u);
   EXPECT_EQ(bench.queue->rekeying().count, 1u);
   EXPECT_EQ(bench.queue->rekeying().rays, 12u);
 }
@@ -260,7 +278,7 @@ TEST(RayQueue, WhatComesInAnOlderOrderIsStaleAtOnce) {
 TEST(RayQueue, ClosingWakesThoseWhoWait) {
   BlockPool pool;
   const auto queue = std::make_unique<RayQueue>(pool, 2);
-  std::jthread other([&] { EXPECT_EQ(queue->wait_and_pop(no_more).block, nullptr); });
+  std::jthread other([&] { EXPECT_EQ(queue->wait_and_pop(0, no_more).block, nullptr); });
   queue->close();
 }
 
@@ -275,7 +293,7 @@ TEST(RayQueue, CountsWaitingRaysAndTheirPeak) {
 
 TEST(OpenBlocks, KeepEveryRayUnderItsKey) {
   Bench bench;
-  const auto open = std::make_unique<OpenBlocks>(bench.pool, *bench.queue);
+  const auto open = std::make_unique<OpenBlocks>(bench.pool, *bench.queue, 0);
   std::mt19937 random(11);
   constexpr std::uint32_t kRays = 50000;
   std::vector<Key> keys;
@@ -297,7 +315,7 @@ TEST(OpenBlocks, KeepEveryRayUnderItsKey) {
   EXPECT_EQ(open->top(), kNoSlot);
   std::vector<bool> seen(kRays);
   Slot last = kSlots;
-  for (auto popped = bench.queue->pop(); popped.block != nullptr; popped = bench.queue->pop()) {
+  for (auto popped = bench.queue->pop(0); popped.block != nullptr; popped = bench.queue->pop(0)) {
     EXPECT_LE(popped.slot, last);
     last = popped.slot;
     for (const RayTask& task : popped.block->span()) {
