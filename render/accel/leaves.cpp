@@ -31,7 +31,8 @@ Leaves::Leaves(const Scene& scene) {
   std::vector<RoundSphere> round;
   for (std::size_t i = 0; i < scene.solids.size(); ++i) {
     const Solid& solid = scene.solids[i];
-    if (solid.box.isEmpty()) continue;
+    const Box3 world_box = solid.box();
+    if (world_box.isEmpty()) continue;
     LeafHead head;
     head.solid = static_cast<std::uint32_t>(i);
     head.hidden_from = solid.hidden_from;
@@ -45,7 +46,7 @@ Leaves::Leaves(const Scene& scene) {
       planes.push_back({plane->unit_normal(), plane->offset(), head});
       continue;
     }
-    const FloatBox bounds(solid.box);
+    const FloatBox bounds(world_box);
     if (const auto* sphere = dynamic_cast<const Sphere*>(head.shape)) {
       ref = next_ref(ChildKind::sphere, round.size());
       round.push_back({sphere, bounds, head});
@@ -56,8 +57,8 @@ Leaves::Leaves(const Scene& scene) {
       ref = next_ref(ChildKind::solid, solids.size());
       solids.push_back({&solid, bounds, head});
     }
-    if (WideTree::fits(solid.box)) {
-      items.push_back({solid.box, ref});
+    if (WideTree::fits(world_box)) {
+      items.push_back({world_box, ref});
     } else {
       outside.push_back(ref);
     }

@@ -8,7 +8,6 @@
 #include "render/scene/global_settings.h"
 #include "render/scene/object_group.h"
 #include "render/scene/solid.h"
-#include "render/shape/shape.h"
 #include "render/texture/interior.h"
 #include "render/texture/texture.h"
 
@@ -29,7 +28,6 @@ constexpr std::uint32_t kNoIndex = 0xffffffffu;
 
 /// One primitive's surface: what shading needs once a ray has met it.
 struct Part {
-  ShapePtr shape;
   std::uint32_t texture = kNoIndex;           ///< into Scene::textures; kNoIndex: takes the light but gives none
   std::uint32_t interior_texture = kNoIndex;  ///< seen against the normal; kNoIndex: as `texture`
   std::uint32_t interior = 0;                 ///< into Scene::interiors; equal for all parts of one piece of matter

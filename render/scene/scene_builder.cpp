@@ -53,7 +53,7 @@ void make_room(std::vector<T>& list, std::size_t more) {
 /// Whether POV-Ray keeps it out of its bounding hierarchy.
 bool is_unbounded(const Solid& solid) {
   constexpr double kUnboundedVolume = 2e10;
-  const Vec3 size = solid.box.size();
+  const Vec3 size = solid.box().size();
   return !(size.x * size.y * size.z <= kUnboundedVolume);
 }
 
@@ -245,7 +245,6 @@ void SceneBuilder::State::note_surfaces() {
 
 void SceneBuilder::State::add_part(Solid& solid, const Object& object, const Inherited& leaf) {
   Part part;
-  part.shape = solid.shape;
   part.texture = leaf.texture;
   part.interior_texture = leaf.interior_texture;
   part.interior = leaf.interior;
@@ -256,7 +255,7 @@ void SceneBuilder::State::add_part(Solid& solid, const Object& object, const Inh
   part.inverted = leaf.inverted;
   part.double_illuminate = leaf.double_illuminate;
   solid.part = static_cast<std::uint32_t>(scene->parts.size());
-  scene->parts.push_back(std::move(part));
+  scene->parts.push_back(part);
 }
 
 /// Of two surfaces in one place the lower index shows. That is the order of the scene text, but POV-Ray meets unbounded

@@ -25,13 +25,21 @@ bool inside_all(const std::vector<Solid>& solids, const Vec3& point) {
 }
 
 /// Whether the ray meets the bounding object or starts in it. `scratch` is returned as it came.
-bool reaches(const Ray& ray, const Solid& bound, std::uint8_t hidden_bit, std::vector<Crossing>& scratch) {
+bool reaches(const Ray& ray, const Solid& bound, const Box3& box, std::uint8_t hidden_bit,
+             std::vector<Crossing>& scratch) {
   const auto mark = static_cast<std::ptrdiff_t>(scratch.size());
-  if (meets(ray, bound.box)) bound.crossings(ray, hidden_bit, scratch);
+  if (meets(ray, box)) bound.crossings(ray, hidden_bit, scratch);
   const bool met =
       std::any_of(scratch.begin() + mark, scratch.end(), [](const Crossing& c) { return c.depth >= kNearestBound; });
   scratch.resize(static_cast<std::size_t>(mark));
   return met || bound.inside(ray.origin);
+}
+
+std::vector<Box3> boxes_of(const std::vector<Solid>& solids) {
+  std::vector<Box3> boxes;
+  boxes.reserve(solids.size());
+  for (const Solid& solid : solids) boxes.push_back(solid.box());
+  return boxes;
 }
 
 /// Removes from `out`, from index `first` on, what `belongs` refuses; keeps the order.
@@ -66,16 +74,20 @@ struct Solid::Structure {
   std::vector<Solid> members;
   std::vector<Solid> clips;
   std::vector<Solid> bounds;
-  Reach reach;                               // of the whole; filled by close(), as all below
-  std::vector<Reach> member_reaches;         // asked before the members
+  Box3 box;  // of the whole; filled by close(), as all below
+  Reach reach;
+  std::vector<Box3> member_boxes;     // asked before the members
+  std::vector<Reach> member_reaches;  // likewise
+  std::vector<Box3> bound_boxes;
   std::shared_ptr<const MemberTrees> trees;  // null for few members
 
-  void close_members(Kind kind, Box3& box);
+  void close_members(Kind kind);
   void plant_trees(Kind kind);
 };
 
 /// Finds the boxes of what the members make together.
-void Solid::Structure::close_members(Kind kind, Box3& box) {
+void Solid::Structure::close_members(Kind kind) {
+  member_boxes = boxes_of(members);
   member_reaches.clear();
   for (const Solid& member : members) member_reaches.push_back(member.reach());
   box = Box3();
@@ -86,8 +98,8 @@ void Solid::Structure::close_members(Kind kind, Box3& box) {
       reach.inside = overlap(reach.inside, member.inside);
       reach.outside.extendBy(member.outside);
     }
-    for (const Solid& member : members) {
-      const Box3 part = overlap(member.box, reach.inside);
+    for (const Box3& member : member_boxes) {
+      const Box3 part = overlap(member, reach.inside);
       if (!part.isEmpty()) box.extendBy(part);
     }
   } else {
@@ -96,21 +108,19 @@ void Solid::Structure::close_members(Kind kind, Box3& box) {
       reach.inside.extendBy(member.inside);
       reach.outside = overlap(reach.outside, member.outside);
     }
-    for (const Solid& member : members) box.extendBy(member.box);
+    for (const Box3& member : member_boxes) box.extendBy(member);
   }
   trees.reset();
   if (members.size() >= kManyMembers) plant_trees(kind);
 }
 
 void Solid::Structure::plant_trees(Kind kind) {
-  std::vector<Box3> surface;
   std::vector<Box3> deciding;
-  for (std::size_t i = 0; i < members.size(); ++i) {
-    surface.push_back(members[i].box);
+  for (const Reach& member : member_reaches) {
     // Away from these boxes a point is outside every member of a union, or inside every member of an intersection.
-    deciding.push_back(kind == Kind::intersection ? member_reaches[i].outside : member_reaches[i].inside);
+    deciding.push_back(kind == Kind::intersection ? member.outside : member.inside);
   }
-  trees = std::make_shared<MemberTrees>(MemberTrees{BoxTree(surface), BoxTree(deciding)});
+  trees = std::make_shared<MemberTrees>(MemberTrees{BoxTree(member_boxes), BoxTree(deciding)});
 }
 
 const std::vector<Solid>& Solid::members() const { return structure_->members; }
@@ -134,18 +144,21 @@ Reach Solid::reach() const {
   return {padded(shape->inside_bounds(), kBoxRoom), padded(shape->outside_bounds(), kBoxRoom)};
 }
 
+Box3 Solid::box() const { return is_plain() ? padded(shape->bounds(), kBoxRoom) : structure_->box; }
+
 void Solid::close() {
-  if (kind == Kind::shape) {
-    box = padded(shape->bounds(), kBoxRoom);
-    if (is_plain()) return;
-    structure_.change().reach = {padded(shape->inside_bounds(), kBoxRoom), padded(shape->outside_bounds(), kBoxRoom)};
-  } else {
-    structure_.change().close_members(kind, box);
-  }
+  if (is_plain()) return;
   Structure& structure = structure_.change();
+  if (kind == Kind::shape) {
+    structure.box = padded(shape->bounds(), kBoxRoom);
+    structure.reach = {padded(shape->inside_bounds(), kBoxRoom), padded(shape->outside_bounds(), kBoxRoom)};
+  } else {
+    structure.close_members(kind);
+  }
+  structure.bound_boxes = boxes_of(structure.bounds);
   for (const Solid& clip : structure.clips) {
     const Reach reach = clip.reach();
-    box = overlap(box, reach.inside);
+    structure.box = overlap(structure.box, reach.inside);
     structure.reach.inside = overlap(structure.reach.inside, reach.inside);
     structure.reach.outside.extendBy(reach.outside);
   }
@@ -204,8 +217,8 @@ void Solid::add_member_crossings(const Solid& member, const Ray& ray, std::uint8
 void Solid::crossings(const Ray& ray, std::uint8_t hidden_bit, std::vector<Crossing>& out) const {
   if (is_plain()) return add_shape_crossings(ray, out);
   const Structure& structure = *structure_;
-  for (const Solid& bound : structure.bounds) {
-    if (!reaches(ray, bound, hidden_bit, out)) return;
+  for (std::size_t i = 0; i < structure.bounds.size(); ++i) {
+    if (!reaches(ray, structure.bounds[i], structure.bound_boxes[i], hidden_bit, out)) return;
   }
   const std::size_t first = out.size();
   if (kind == Kind::shape) add_shape_crossings(ray, out);
@@ -223,8 +236,10 @@ void Solid::crossings(const Ray& ray, std::uint8_t hidden_bit, std::vector<Cross
     }
     members_to_ask.resize(mark);
   } else {
-    for (const Solid& member : structure.members) {
-      if (meets(ray, member.box)) add_member_crossings(member, ray, hidden_bit, hiding, out);
+    for (std::size_t i = 0; i < structure.members.size(); ++i) {
+      if (meets(ray, structure.member_boxes[i])) {
+        add_member_crossings(structure.members[i], ray, hidden_bit, hiding, out);
+      }
     }
   }
   if (!structure.clips.empty()) {

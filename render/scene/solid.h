@@ -30,7 +30,8 @@ struct Reach {
 ///
 /// Source   Which crossing counts is POV-Ray 3.7's rule: of an intersection, a crossing of one member that is inside
 ///          all others; of a merge, one that is inside none.
-/// Memory   Small while it is plain; what other solids have besides is shared by their copies.
+/// Memory   Small while it is plain: even its box is worked out when it is asked for. What other solids have besides is
+///          shared by their copies.
 /// Threads  Immutable once it is closed.
 class Solid {
  public:
@@ -41,9 +42,9 @@ class Solid {
   std::uint32_t part = 0;    ///< of Kind::shape: index into Scene::parts
   std::uint32_t matter = 0;  ///< at top level: index into Scene::interiors of the object that the solid belongs to
   ShapePtr shape;            ///< of Kind::shape
-  /// World bounds of what remains visible, with room for rounding; filled by close(). Empty: nothing remains.
-  Box3 box = boundless_box();
 
+  /// World bounds of what remains visible, with room for rounding. Empty: nothing remains. Pre: closed.
+  Box3 box() const;
   const std::vector<Solid>& members() const;
   const std::vector<Solid>& clips() const;
   const std::vector<Solid>& bounds() const;
@@ -53,7 +54,7 @@ class Solid {
   /// Whether it is one shape that nothing cuts or bounds, as most solids are.
   bool is_plain() const { return kind == Kind::shape && structure_.is_initial(); }
 
-  /// Fills the boxes from the shape or the members; call bottom up, when the solid is complete.
+  /// Finds the boxes of what is not plain; call bottom up, when the solid is complete.
   void close();
 
   /// Appends all crossings that belong to the solid's surface. `hidden_bit` is the bit of the asking ray's kind; it

@@ -12,7 +12,6 @@ using namespace firstlight::render;
 
 void add(Scene& scene, ShapePtr shape) {
   Part part;
-  part.shape = shape;
   part.opaque = true;
   scene.parts.push_back(part);
   Solid solid;

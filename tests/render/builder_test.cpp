@@ -70,7 +70,7 @@ std::unique_ptr<const Scene> scene_of(std::vector<Object> objects) {
   return builder.build();
 }
 
-double middle_x(const Solid& solid) { return solid.box.center().x; }
+double middle_x(const Solid& solid) { return solid.box().center().x; }
 
 TEST(SceneBuilder, DissolvesUnionsInTheOrderOfTheirMembers) {
   const auto scene = scene_of({sphere_at(1), union_of({sphere_at(2), union_of({sphere_at(3), sphere_at(4)})})});
@@ -330,7 +330,7 @@ TEST(SceneBuilder, InvertedTwiceIsAsBefore) {
   parent.inverted = true;
   const auto scene = scene_of({parent});
   EXPECT_FALSE(scene->parts[0].inverted);
-  EXPECT_TRUE(scene->parts[0].shape->inside({0.0, 0.0, 0.0}));
+  EXPECT_TRUE(scene->solids[0].inside({0.0, 0.0, 0.0}));
 }
 
 TEST(SceneBuilder, PartsAreOpaqueOnlyWhenBothSidesAre) {

@@ -48,8 +48,8 @@ TEST(Solid, DifferenceCutsAwayAndShowsTheCut) {
 TEST(Solid, IntersectionKeepsWhatLiesInAll) {
   const Solid lens = combined(Kind::intersection, {ball(-1, 2), ball(1, 2)});
   EXPECT_EQ(sorted_depths(lens, kAlongX), (Depths{9.0, 11.0}));
-  EXPECT_NEAR(lens.box.min.x, -1.0, 1e-4);
-  EXPECT_NEAR(lens.box.max.x, 1.0, 1e-4);
+  EXPECT_NEAR(lens.box().min.x, -1.0, 1e-4);
+  EXPECT_NEAR(lens.box().max.x, 1.0, 1e-4);
 }
 
 TEST(Solid, UnionShowsInnerSurfacesAndMergeDoesNot) {
@@ -62,7 +62,7 @@ TEST(Solid, ClipsCutTheSurfaceOpen) {
   EXPECT_EQ(sorted_depths(bowl, kAlongX), Depths{8.0});
   EXPECT_TRUE(bowl.inside(Vec3(-1, 0, 0)));
   EXPECT_FALSE(bowl.inside(Vec3(1, 0, 0)));
-  EXPECT_NEAR(bowl.box.max.x, 0.0, 1e-4);
+  EXPECT_NEAR(bowl.box().max.x, 0.0, 1e-4);
 }
 
 TEST(Solid, BoundsHideWhatRaysMissButDoNotCut) {
@@ -85,14 +85,14 @@ TEST(Solid, SixPlanesMakeABoxWithFiniteBounds) {
   }
   const Solid box = combined(Kind::intersection, sides);
   EXPECT_EQ(sorted_depths(box, kAlongX), (Depths{9.0, 11.0}));
-  ASSERT_TRUE(is_bounded(box.box));
-  EXPECT_NEAR(box.box.min.y, -1.0, 1e-4);
-  EXPECT_NEAR(box.box.max.z, 1.0, 1e-4);
+  ASSERT_TRUE(is_bounded(box.box()));
+  EXPECT_NEAR(box.box().min.y, -1.0, 1e-4);
+  EXPECT_NEAR(box.box().max.z, 1.0, 1e-4);
 }
 
 TEST(Solid, ComplementsInAnIntersectionDoNotLimitItsBox) {
   const Solid hollowed = combined(Kind::intersection, {ball(0, 2), inverted_ball(0, 1)});
-  EXPECT_NEAR(hollowed.box.max.x, 2.0, 1e-4);
+  EXPECT_NEAR(hollowed.box().max.x, 2.0, 1e-4);
   EXPECT_EQ(sorted_depths(hollowed, kAlongX), (Depths{8.0, 9.0, 11.0, 12.0}));
 }
 
@@ -198,7 +198,7 @@ TEST(Solid, BoxesAndTreesNeverChangeTheAnswer) {
       for (std::size_t k = 0; k < a.size(); ++k) {
         ASSERT_EQ(a[k].depth, b[k].depth);
         ASSERT_EQ(a[k].shape, b[k].shape);
-        ASSERT_TRUE(boxed.box.intersects(ray.at(a[k].depth)));
+        ASSERT_TRUE(boxed.box().intersects(ray.at(a[k].depth)));
       }
       ASSERT_EQ(boxed.inside(from), plainly_inside(boxed, from));
       count += a.size();

@@ -52,7 +52,6 @@ inline void add_solid(Scene& scene, Solid solid, bool opaque = true) {
       if (s.kind == Solid::Kind::shape) {
         s.part = static_cast<std::uint32_t>(scene.parts.size());
         Part part;
-        part.shape = s.shape;
         part.opaque = opaque;
         scene.parts.push_back(part);
       }
