@@ -41,7 +41,7 @@ class NormalOwner final : public PatternOwner {
   Normal& normal_;
 };
 
-const Normal* default_normal(const SceneContext& context) { return default_layer(context).normal.get(); }
+const Normal* default_normal(const SceneContext& context) { return default_layer(context).extras->normal.get(); }
 
 Normal start_of(const SceneContext& context, const Normal* start) {
   if (start == nullptr) start = default_normal(context);

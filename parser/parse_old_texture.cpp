@@ -8,12 +8,14 @@ namespace firstlight::parser {
 namespace {
 
 /// A normal is made by the first word about one.
-render::Normal normal_of(const render::TextureLayer& layer) { return layer.normal ? *layer.normal : render::Normal(); }
+render::Normal normal_of(const render::TextureLayer& layer) {
+  return layer.extras->normal ? *layer.extras->normal : render::Normal();
+}
 
 bool accept_normal(Reader& reader, SceneContext& context, render::TextureLayer& layer) {
   render::Normal normal = normal_of(layer);
   if (!accept_bare_normal(reader, context, normal)) return false;
-  layer.normal = std::make_shared<const render::Normal>(std::move(normal));
+  layer.extras.change().normal = std::make_shared<const render::Normal>(std::move(normal));
   return true;
 }
 

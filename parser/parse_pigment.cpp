@@ -34,30 +34,37 @@ class PigmentOwner final : public PatternOwner {
     pigment_.pattern.change().parameters = parse_image_map(reader, context, word);
   }
   bool accept_word(Reader& reader, SceneContext& context) override;
-  bool has_map() const override { return pigment_.pigments || !pigment_.map.empty(); }
+  bool has_map() const override { return pigment_.pattern->pigments || !pigment_.pattern->map.empty(); }
 
  private:
+  void set_map(render::ColorMap map);
   void set_pigments(Reader& reader, const Token& word, std::shared_ptr<const render::PigmentMap> pigments);
 
   Pigment& pigment_;
 };
 
+void PigmentOwner::set_map(render::ColorMap map) {
+  render::PigmentPattern& pattern = pigment_.pattern.change();
+  pattern.map = std::move(map);
+  pattern.pigments = nullptr;
+}
+
 void PigmentOwner::set_pigments(Reader& reader, const Token& word, std::shared_ptr<const render::PigmentMap> pigments) {
-  nest(reader, word, pigment_.pattern.change().depth, pigments->depth);
-  pigment_.pigments = std::move(pigments);
-  pigment_.map.clear();
+  render::PigmentPattern& pattern = pigment_.pattern.change();
+  nest(reader, word, pattern.depth, pigments->depth);
+  pattern.pigments = std::move(pigments);
+  pattern.map.clear();
 }
 
 /// Colours, or pigments. A list of single colours is the same whichever way it is written.
 void PigmentOwner::parse_list(Reader& reader, SceneContext& context, std::size_t count) {
-  pigment_.pigments = nullptr;
-  pigment_.map = render::default_map(pigment_.pattern->kind);
+  render::ColorMap map = render::default_map(pigment_.pattern->kind);
   if (!reader.next_is(Keyword::pigment)) {
-    for (auto entry = pigment_.map.begin(); entry != pigment_.map.end() && reader.at_expression(); ++entry) {
+    for (auto entry = map.begin(); entry != map.end() && reader.at_expression(); ++entry) {
       entry->color = reader.color();
       reader.skip_comma();
     }
-    return;
+    return set_map(std::move(map));
   }
   const Token& word = reader.peek();
   const Pigment& missing = default_layer(context).pigment;
@@ -71,7 +78,8 @@ void PigmentOwner::parse_list(Reader& reader, SceneContext& context, std::size_t
     list->unrendered.add(feature_use(Feature::pigment_list, word));
     return set_pigments(reader, word, std::move(list));
   }
-  for (std::size_t i = 0; i < count; ++i) pigment_.map[i].color = list->entries[i].value.color;
+  for (std::size_t i = 0; i < count; ++i) map[i].color = list->entries[i].value.color;
+  set_map(std::move(map));
 }
 
 void PigmentOwner::parse_item(Reader& reader, SceneContext& context) {
@@ -84,14 +92,14 @@ bool PigmentOwner::accept_word(Reader& reader, SceneContext& context) {
   const Token& word = reader.peek();
   if (reader.accept(Keyword::color_map)) {
     check_map_allowed(reader, word, pigment_.pattern, false);
-    pigment_.map = parse_color_map(reader, word);
-    pigment_.pigments = nullptr;
+    set_map(parse_color_map(reader, word));
   } else if (reader.accept(Keyword::pigment_map)) {
     check_map_allowed(reader, word, pigment_.pattern, true);
     set_pigments(reader, word,
                  parse_pigment_map(reader, context, word, pigment_.pattern->kind == PatternKind::average));
   } else if (reader.accept(Keyword::quick_color)) {
-    pigment_.quick_color = reader.color();
+    const render::FilteredColor color = reader.color();
+    pigment_.pattern.change().quick_color = color;
   } else {
     return false;
   }

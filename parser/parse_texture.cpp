@@ -56,8 +56,8 @@ bool accept_part(Reader& reader, SceneContext& context, Draft& draft) {
       return true;
     case Keyword::normal:
       reader.take();
-      draft.change_top().normal =
-          std::make_shared<render::Normal>(parse_normal(reader, context, word, draft.top().normal.get()));
+      draft.change_top().extras.change().normal =
+          std::make_shared<render::Normal>(parse_normal(reader, context, word, draft.top().extras->normal.get()));
       return true;
     default:
       return false;
@@ -71,7 +71,7 @@ bool accept_declared_part(Reader& reader, Draft& draft) {
   } else if (const auto finish = reader.accept_declared<render::Finish>()) {
     draft.change_top().finish = *finish;
   } else if (const auto normal = reader.accept_declared<render::Normal>()) {
-    draft.change_top().normal = normal;
+    draft.change_top().extras.change().normal = normal;
   } else {
     return false;
   }
@@ -79,7 +79,7 @@ bool accept_declared_part(Reader& reader, Draft& draft) {
 }
 
 void set_no_bump_scale(Draft& draft) {
-  TextureLayer& top = draft.change_top();
+  render::LayerExtras& top = draft.change_top().extras.change();
   top.keeps_bump_size = true;
   if (!top.patterned) return;
   auto pattern = std::make_shared<render::TexturePattern>(*top.patterned);
@@ -94,7 +94,7 @@ bool accept_old(Reader& reader, SceneContext& context, Draft& draft) {
     draft = Draft(declared);
     return true;
   }
-  return !draft.top().patterned && accept_old_words(reader, context, draft.change_top());
+  return !draft.top().extras->patterned && accept_old_words(reader, context, draft.change_top());
 }
 
 /// Transformations, which apply to all layers. True: there were some.
@@ -122,8 +122,9 @@ class Untinted {
  public:
   void change(render::Pigment& pigment) {
     if (!render::is_patterned(pigment.pattern->kind)) return filter_to_transmit(pigment.color);
-    for (auto& entry : pigment.map) filter_to_transmit(entry.color);
-    if (pigment.pigments) pigment.pigments = changed(pigment.pigments);
+    render::PigmentPattern& pattern = pigment.pattern.change();
+    for (auto& entry : pattern.map) filter_to_transmit(entry.color);
+    if (pattern.pigments) pattern.pigments = changed(pattern.pigments);
   }
 
  private:
@@ -143,9 +144,9 @@ void check_layers(Reader& reader, const TexturePtr& upper, const TexturePtr& low
   if (lower && upper->layers.size() + lower->layers.size() > kMaxLayers) {
     reader.fail(at, "a texture cannot have more than " + std::to_string(kMaxLayers) + " layers");
   }
-  if (lower && lower->layers.front().patterned)
+  if (lower && lower->layers.front().extras->patterned)
     reader.fail(at, "a texture cannot lie over one that is made of textures");
-  if (lower && upper->layers.front().patterned) reader.fail(at, "a texture made of textures cannot lie over another");
+  if (lower && upper->layers.front().extras->patterned) reader.fail(at, "a texture made of textures cannot lie over another");
 }
 
 }  // namespace
@@ -167,7 +168,7 @@ TexturePtr layered(Reader& reader, const TexturePtr& upper, const TexturePtr& lo
 TexturePtr parse_texture_contents(Reader& reader, SceneContext& context) {
   const auto declared = reader.accept_declared<Texture>();
   Draft draft(declared ? declared : context.default_texture);
-  if (draft.top().patterned) {
+  if (draft.top().extras->patterned) {
     parse_placement(reader, draft);
     return draft.finished();
   }
@@ -211,7 +212,7 @@ void parse_object_texture(Reader& reader, SceneContext& context, TexturePtr& tex
 
 void parse_object_parts(Reader& reader, SceneContext& context, Object& object) {
   settle(object.texture, object.texture_placement);
-  if (object.texture && object.texture->layers.front().patterned) {
+  if (object.texture && object.texture->layers.front().extras->patterned) {
     const Token& word = reader.peek();
     reader.fail(word, quoted(word) + " cannot alter a texture that is made of textures");
   }

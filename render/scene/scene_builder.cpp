@@ -135,7 +135,7 @@ const Shared<Interior>& SceneBuilder::State::air() {
 void SceneBuilder::State::promote_finish(std::uint32_t texture, std::uint32_t interior) {
   Shared<Interior>& matter = scene->interiors[interior];
   const Texture& look = textures.texture(texture);
-  if (!look.layers.empty() && !look.layers.front().patterned) {
+  if (!look.layers.empty() && !look.layers.front().extras->patterned) {
     const Finish& finish = look.layers.front().finish;
     if (finish.legacy_ior > 0.0) matter.change().ior = finish.legacy_ior;
     if (finish.legacy_caustics >= 0.0) matter.change().caustics = finish.legacy_caustics;

@@ -45,7 +45,7 @@ bool lets_light_through(const FilteredColor& color) {
 
 void make_plain(Pigment& pigment) {
   // Most pigments are nothing else, so they share the pattern that says so.
-  static const Shared<Patterning> single_color(patterned(PatternKind::plain));
+  static const Shared<PigmentPattern> single_color(PigmentPattern{patterned(PatternKind::plain)});
   if (pigment.pattern.is_initial() || pigment.pattern.is_same(single_color)) {
     pigment.pattern = single_color;
     return;
@@ -56,7 +56,8 @@ void make_plain(Pigment& pigment) {
 }
 
 const ColorMap& map_of(const Pigment& pigment) {
-  return pigment.map.empty() ? default_map(pigment.pattern->kind) : pigment.map;
+  const PigmentPattern& pattern = pigment.pattern;
+  return pattern.map.empty() ? default_map(pattern.kind) : pattern.map;
 }
 
 FilteredColor color_at(const Pigment& pigment, const Vec3& point) {
@@ -67,7 +68,7 @@ FilteredColor color_at(const Pigment& pigment, const Vec3& point) {
 bool lets_light_through(const Pigment& pigment) {
   if (!is_patterned(pigment.pattern->kind)) return lets_light_through(pigment.color);
   if (is_image(pigment.pattern->kind)) return true;
-  if (pigment.pigments) return pigment.pigments->translucent;
+  if (pigment.pattern->pigments) return pigment.pattern->pigments->translucent;
   const ColorMap& map = map_of(pigment);
   return std::any_of(map.begin(), map.end(),
                      [](const ColorMapEntry& entry) { return lets_light_through(entry.color); });
@@ -75,8 +76,8 @@ bool lets_light_through(const Pigment& pigment) {
 
 void gather(const Pigment& pigment, FeatureUses& uses) {
   if (!is_patterned(pigment.pattern->kind)) return;
-  gather(pigment.pattern, uses);
-  if (pigment.pigments) uses.add(pigment.pigments->unrendered);
+  gather(*pigment.pattern, uses);
+  if (pigment.pattern->pigments) uses.add(pigment.pattern->pigments->unrendered);
 }
 
 }  // namespace firstlight::render

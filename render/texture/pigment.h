@@ -21,13 +21,17 @@ struct ColorMapEntry {
 using ColorMap = std::vector<ColorMapEntry>;
 using PigmentMap = BlendMap<Pigment>;
 
-/// Colour of a surface at a point: one colour, or a pattern through a map of colours or of pigments. Plain data.
-struct Pigment {
-  FilteredColor color = {};  ///< of PatternKind::plain; nothing said means black
-  Shared<Patterning> pattern = {};
+/// What a pigment has that is more than one colour.
+struct PigmentPattern : Patterning {
   ColorMap map = {};                                ///< empty: the pattern's own, see map_of()
   std::shared_ptr<const PigmentMap> pigments = {};  ///< instead of `map`; with uv_mapping and average the only form
   std::optional<FilteredColor> quick_color = {};    ///< shown by quick previews; not by pictures
+};
+
+/// Colour of a surface at a point: one colour, or a pattern through a map of colours or of pigments. Plain data.
+struct Pigment {
+  FilteredColor color = {};  ///< of PatternKind::plain; nothing said means black
+  Shared<PigmentPattern> pattern = {};
 };
 
 /// Makes it one of a single colour, whatever pattern it had; `color` is the caller's to set.

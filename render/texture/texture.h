@@ -21,13 +21,18 @@ struct TexturePattern {
   std::shared_ptr<const TextureMap> textures;  ///< of a material_map: by the pixel's number, in order
 };
 
-struct TextureLayer {
-  Pigment pigment;
-  Shared<Finish> finish;
+/// What few layers have.
+struct LayerExtras {
   std::shared_ptr<const Normal> normal = {};  ///< null: even
   bool keeps_bump_size = false;               ///< no_bump_scale, for all normals in the layer
   /// When not null, the layer is made of this alone, and has no pigment, normal or finish of its own.
   std::shared_ptr<const TexturePattern> patterned = {};
+};
+
+struct TextureLayer {
+  Pigment pigment;
+  Shared<Finish> finish;
+  Shared<LayerExtras> extras = {};
 };
 
 /// What covers a surface, in layers. Shared between objects, immutable once shared; each use has its own placement.

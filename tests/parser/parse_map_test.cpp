@@ -10,7 +10,7 @@ using render::Rgb;
 using render::Vec3;
 
 TEST(ParseMap, PatternsWithoutAMapHaveTheirOwn) {
-  EXPECT_TRUE(pigment_of("marble").map.empty());
+  EXPECT_TRUE(pigment_of("marble").pattern->map.empty());
   EXPECT_EQ(render::map_of(pigment_of("marble")).size(), 3u);
   EXPECT_EQ(render::map_of(pigment_of("granite")).at(1).color.rgb, Rgb(1));
   EXPECT_EQ(render::map_of(pigment_of("hexagon rgb 0")).at(2).color.rgb, Rgb(1, 0, 0));
@@ -20,18 +20,18 @@ TEST(ParseMap, PatternsWithoutAMapHaveTheirOwn) {
 
 TEST(ParseMap, ListPatternsTakeAsManyColorsAsTheyHaveKinds) {
   const auto pigment = pigment_of("square rgb 1 rgb 0.5, rgb x rgb y");
-  ASSERT_EQ(pigment.map.size(), 4u);
-  EXPECT_EQ(pigment.map[3].color.rgb, Rgb(0, 1, 0));
+  ASSERT_EQ(pigment.pattern->map.size(), 4u);
+  EXPECT_EQ(pigment.pattern->map[3].color.rgb, Rgb(0, 1, 0));
   EXPECT_NE(pigment_error("checker rgb 1 rgb 1 rgb 1"), "");
 }
 
 TEST(ParseMap, PigmentMapsHoldPigments) {
   const auto pigment = pigment_of("gradient x pigment_map { [0 rgb x] [0.25 marble scale 2] [1, granite] }");
-  ASSERT_TRUE(pigment.pigments);
-  ASSERT_EQ(pigment.pigments->entries.size(), 3u);
-  EXPECT_EQ(pigment.pigments->entries[0].value.color.rgb, Rgb(1, 0, 0));
-  EXPECT_EQ(pigment.pigments->entries[1].position, 0.25);
-  EXPECT_EQ(pigment.pigments->entries[1].value.pattern->kind, PatternKind::marble);
+  ASSERT_TRUE(pigment.pattern->pigments);
+  ASSERT_EQ(pigment.pattern->pigments->entries.size(), 3u);
+  EXPECT_EQ(pigment.pattern->pigments->entries[0].value.color.rgb, Rgb(1, 0, 0));
+  EXPECT_EQ(pigment.pattern->pigments->entries[1].position, 0.25);
+  EXPECT_EQ(pigment.pattern->pigments->entries[1].value.pattern->kind, PatternKind::marble);
   EXPECT_EQ(pigment.pattern->depth, 1u);
   EXPECT_EQ(unrendered("sphere { 0, 1 pigment { gradient x pigment_map { [0 rgb 1] [1 granite] } } }"),
             "pigment_map granite ");
@@ -44,38 +44,38 @@ TEST(ParseMap, DeclaredMapsCanBeUsed) {
       "phong 1 }] }"
       "sphere { 0, 1 pigment { bozo pigment_map { M } } } sphere { 0, 1 normal { bozo normal_map { N } } }"
       "sphere { 0, 1 normal { bozo slope_map { S } } } sphere { 0, 1 texture { bozo texture_map { T } } }");
-  EXPECT_EQ(layer_of(*scene, 0).pigment.pigments->entries.size(), 2u);
-  EXPECT_EQ(layer_of(*scene, 1).normal->normals->entries[1].value.amount, 2.0);
-  EXPECT_EQ(layer_of(*scene, 2).normal->slopes->entries[0].value.slope, 1.0);
-  EXPECT_EQ(layer_of(*scene, 2).normal->slopes->entries[1].value.height, 1.0);
-  const auto& textures = layer_of(*scene, 3).patterned->textures->entries;
+  EXPECT_EQ(layer_of(*scene, 0).pigment.pattern->pigments->entries.size(), 2u);
+  EXPECT_EQ(layer_of(*scene, 1).extras->normal->normals->entries[1].value.amount, 2.0);
+  EXPECT_EQ(layer_of(*scene, 2).extras->normal->slopes->entries[0].value.slope, 1.0);
+  EXPECT_EQ(layer_of(*scene, 2).extras->normal->slopes->entries[1].value.height, 1.0);
+  const auto& textures = layer_of(*scene, 3).extras->patterned->textures->entries;
   EXPECT_EQ(textures[0].value->layers[0].pigment.color.rgb, Rgb(0, 0, 1));
   EXPECT_EQ(textures[1].value->layers[0].finish->phong, 1.0);
 }
 
 TEST(ParseMap, AverageHasWeights) {
   const auto pigment = pigment_of("average pigment_map { [rgb x] [2 rgb y] [3, bozo] }");
-  ASSERT_TRUE(pigment.pigments);
+  ASSERT_TRUE(pigment.pattern->pigments);
   EXPECT_EQ(pigment.pattern->kind, PatternKind::average);
-  EXPECT_EQ(pigment.pigments->entries[0].position, 1.0);
-  EXPECT_EQ(pigment.pigments->entries[1].position, 2.0);
-  EXPECT_EQ(pigment.pigments->entries[2].position, 3.0);
+  EXPECT_EQ(pigment.pattern->pigments->entries[0].position, 1.0);
+  EXPECT_EQ(pigment.pattern->pigments->entries[1].position, 2.0);
+  EXPECT_EQ(pigment.pattern->pigments->entries[2].position, 3.0);
   EXPECT_TRUE(says(pigment_error("average color_map { [0 rgb 1] }"), "'color_map' does not go with 'average'"));
 }
 
 TEST(ParseMap, ListsOfPatternedPigmentsArePigmentMaps) {
   const auto pigment = pigment_of("checker pigment { bozo } pigment { rgb 1 }");
-  ASSERT_TRUE(pigment.pigments);
-  EXPECT_EQ(pigment.pigments->entries[0].value.pattern->kind, PatternKind::bozo);
-  EXPECT_EQ(pigment.pigments->entries[1].value.color.rgb, Rgb(1));
+  ASSERT_TRUE(pigment.pattern->pigments);
+  EXPECT_EQ(pigment.pattern->pigments->entries[0].value.pattern->kind, PatternKind::bozo);
+  EXPECT_EQ(pigment.pattern->pigments->entries[1].value.color.rgb, Rgb(1));
   EXPECT_EQ(unrendered("sphere { 0, 1 pigment { checker pigment { bozo } } }"), "bozo list of pigments ");
 }
 
 TEST(ParseMap, UvMappingHoldsOneItem) {
   const auto pigment = pigment_of("uv_mapping checker rgb 1 rgb 0");
-  ASSERT_TRUE(pigment.pigments);
+  ASSERT_TRUE(pigment.pattern->pigments);
   EXPECT_EQ(pigment.pattern->kind, PatternKind::uv_mapping);
-  EXPECT_EQ(pigment.pigments->entries.at(0).value.pattern->kind, PatternKind::checker);
+  EXPECT_EQ(pigment.pattern->pigments->entries.at(0).value.pattern->kind, PatternKind::checker);
   EXPECT_EQ(normal_of("uv_mapping bumps 2").normals->entries.at(0).value.amount, 2.0);
   const auto texture = texture_pattern_of("uv_mapping pigment { rgb x }");
   EXPECT_EQ(texture.pattern.kind, PatternKind::uv_mapping);
@@ -95,8 +95,8 @@ TEST(ParseMap, MapsGoOnlyWithPatternsThatHaveThem) {
 }
 
 TEST(ParseMap, QuickColorIsKept) {
-  EXPECT_EQ(pigment_of("bozo quick_color rgb x").quick_color->rgb, Rgb(1, 0, 0));
-  EXPECT_FALSE(pigment_of("bozo").quick_color);
+  EXPECT_EQ(pigment_of("bozo quick_color rgb x").pattern->quick_color->rgb, Rgb(1, 0, 0));
+  EXPECT_FALSE(pigment_of("bozo").pattern->quick_color);
 }
 
 /// A file of the current folder, there while the object lives.

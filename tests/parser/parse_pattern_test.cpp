@@ -84,7 +84,7 @@ TEST(ParsePattern, BrickKeepsItsSizeWhenNamedAgain) {
   const auto pigment = pigment_of("brick rgb 1, rgb x brick_size <1, 2, 3> mortar 0.25");
   EXPECT_EQ(parameters<render::BrickParameters>(pigment.pattern).size, Vec3(1, 2, 3));
   EXPECT_EQ(parameters<render::BrickParameters>(pigment.pattern).mortar, 0.25);
-  EXPECT_EQ(pigment.map.at(1).color.rgb, render::Rgb(1, 0, 0));
+  EXPECT_EQ(pigment.pattern->map.at(1).color.rgb, render::Rgb(1, 0, 0));
   const auto scene = surface_scene(
       "#declare P = pigment { brick brick_size 2 } sphere { 0, 1 pigment { P brick rgb 1 } } sphere { 0, 1 pigment { "
       "brick } }");
@@ -243,8 +243,8 @@ TEST(ParsePattern, ObjectPatternHoldsTheObject) {
   const auto& object = parameters<render::ObjectParameters>(pigment.pattern).object;
   ASSERT_TRUE(object);
   EXPECT_EQ(object->word, "sphere");
-  EXPECT_EQ(pigment.map.at(0).color.rgb, render::Rgb(1));
-  EXPECT_EQ(pigment.map.at(1).color.rgb, render::Rgb(1, 0, 0));
+  EXPECT_EQ(pigment.pattern->map.at(0).color.rgb, render::Rgb(1));
+  EXPECT_EQ(pigment.pattern->map.at(1).color.rgb, render::Rgb(1, 0, 0));
   EXPECT_TRUE(says(pigment_error("object { rgb 1 }"), "expected an object"));
 }
 

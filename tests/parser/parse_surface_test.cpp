@@ -41,13 +41,13 @@ TEST(ParseNormal, BlocksAlterWhatIsThere) {
       "#declare N = normal { bumps 0.3 scale 2 } #default { normal { wrinkles 0.4 } }"
       "sphere { 0, 1 normal { N bump_size 1 } } sphere { 0, 1 texture { N } } sphere { 0, 1 normal { frequency 2 } }"
       "sphere { 0, 1 pigment { rgb 1 } } sphere { 0, 1 texture { normal { N } translate x normal { phase 1 } } }");
-  EXPECT_EQ(layer_of(*scene, 0).normal->amount, 1.0);
-  EXPECT_EQ(layer_of(*scene, 0).normal->pattern.kind, PatternKind::bumps);
-  EXPECT_EQ(layer_of(*scene, 1).normal->amount, 0.3);
-  EXPECT_EQ(layer_of(*scene, 2).normal->pattern.kind, PatternKind::wrinkles);
-  EXPECT_EQ(layer_of(*scene, 2).normal->pattern.wave.frequency, 2.0);
-  EXPECT_EQ(layer_of(*scene, 3).normal->amount, 0.4);
-  expect_near(layer_of(*scene, 4).normal->pattern.warps.to_pattern(Vec3(3, 0, 0)), Vec3(1, 0, 0));
+  EXPECT_EQ(layer_of(*scene, 0).extras->normal->amount, 1.0);
+  EXPECT_EQ(layer_of(*scene, 0).extras->normal->pattern.kind, PatternKind::bumps);
+  EXPECT_EQ(layer_of(*scene, 1).extras->normal->amount, 0.3);
+  EXPECT_EQ(layer_of(*scene, 2).extras->normal->pattern.kind, PatternKind::wrinkles);
+  EXPECT_EQ(layer_of(*scene, 2).extras->normal->pattern.wave.frequency, 2.0);
+  EXPECT_EQ(layer_of(*scene, 3).extras->normal->amount, 0.4);
+  expect_near(layer_of(*scene, 4).extras->normal->pattern.warps.to_pattern(Vec3(3, 0, 0)), Vec3(1, 0, 0));
 }
 
 TEST(ParseTexturePattern, TexturesAreMixedByMapsListsAndTiles) {
@@ -68,7 +68,7 @@ TEST(ParseTexturePattern, MovesAsAWhole) {
   const auto scene = surface_scene(
       "#declare T = texture { bozo texture_map { [0 pigment { rgb x }] [1 pigment { rgb y }] } }"
       "sphere { 0, 1 texture { T translate x no_bump_scale } translate y }");
-  const auto& pattern = layer_of(*scene).patterned->pattern;
+  const auto& pattern = layer_of(*scene).extras->patterned->pattern;
   EXPECT_TRUE(pattern.keeps_bump_size);
   expect_near(pattern.warps.to_pattern(Vec3(1, 0, 0)), Vec3(0, 0, 0));
 }
@@ -229,11 +229,11 @@ TEST(ParseOldTexture, HasItsWordsOutsideOfBlocks) {
   const render::TextureLayer& layer = layer_of(*result.scene);
   EXPECT_EQ(layer.pigment.pattern->kind, PatternKind::agate);
   EXPECT_EQ(layer.pigment.pattern->warps.turbulence->octaves, 3);
-  EXPECT_EQ(layer.pigment.map.size(), 2u);
+  EXPECT_EQ(layer.pigment.pattern->map.size(), 2u);
   EXPECT_EQ(layer.pigment.pattern->warps.steps.size(), 1u);
-  ASSERT_TRUE(layer.normal);
-  EXPECT_EQ(layer.normal->amount, 0.3);
-  EXPECT_EQ(layer.normal->pattern.wave.frequency, 2.0);
+  ASSERT_TRUE(layer.extras->normal);
+  EXPECT_EQ(layer.extras->normal->amount, 0.3);
+  EXPECT_EQ(layer.extras->normal->pattern.wave.frequency, 2.0);
   EXPECT_EQ(layer.finish->ambient, Rgb(0.2f));
   EXPECT_EQ(layer.finish->phong_size, 20.0);
   EXPECT_EQ(layer.finish->metallic, 1.0);

@@ -49,11 +49,11 @@ inline render::Pigment pigment_of(std::string_view words) {
   return layer_of(*surface_scene("sphere { 0, 1 pigment { " + std::string(words) + " } }")).pigment;
 }
 inline render::Normal normal_of(std::string_view words) {
-  const auto normal = layer_of(*surface_scene("sphere { 0, 1 normal { " + std::string(words) + " } }")).normal;
+  const auto normal = layer_of(*surface_scene("sphere { 0, 1 normal { " + std::string(words) + " } }")).extras->normal;
   return normal ? *normal : render::Normal();
 }
 inline render::TexturePattern texture_pattern_of(std::string_view words) {
-  const auto pattern = layer_of(*surface_scene("sphere { 0, 1 texture { " + std::string(words) + " } }")).patterned;
+  const auto pattern = layer_of(*surface_scene("sphere { 0, 1 texture { " + std::string(words) + " } }")).extras->patterned;
   return pattern ? *pattern : render::TexturePattern();
 }
 /// The message about those words in a pigment.

@@ -15,8 +15,7 @@ TexturePtr texture_of(const FilteredColor& color, const Finish& finish, const Fi
   TextureLayer layer;
   layer.pigment.color = color;
   if (other != nullptr) {
-    layer.pigment.pattern = patterned(PatternKind::checker);
-    layer.pigment.map = {{0.0, color}, {1.0, *other}};
+    layer.pigment.pattern = PigmentPattern{patterned(PatternKind::checker), {{0.0, color}, {1.0, *other}}};
   }
   layer.finish = finish;
   Texture texture;

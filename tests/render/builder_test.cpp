@@ -21,8 +21,7 @@ TexturePtr solid_texture(float level) {
 TexturePtr patterned_texture() {
   auto texture = std::make_shared<Texture>();
   texture->layers.emplace_back();
-  texture->layers[0].pigment.pattern = patterned(PatternKind::checker);
-  texture->layers[0].pigment.map = {{0.0, {}}, {1.0, {}}};
+  texture->layers[0].pigment.pattern = PigmentPattern{patterned(PatternKind::checker), {{0.0, {}}, {1.0, {}}}};
   return texture;
 }
 

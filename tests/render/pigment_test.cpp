@@ -20,9 +20,9 @@ FilteredColor grey_of(float level) {
 /// Along x from black to white, so that the red of a colour is the place in the map.
 Pigment ramp(Wave wave) {
   Pigment pigment;
-  pigment.pattern = patterned(PatternKind::gradient, GradientParameters{{1.0, 0.0, 0.0}});
+  pigment.pattern = PigmentPattern{patterned(PatternKind::gradient, GradientParameters{{1.0, 0.0, 0.0}}),
+                                   {{0.0, grey_of(0.0f)}, {1.0, grey_of(1.0f)}}};
   pigment.pattern.change().wave = wave;
-  pigment.map = {{0.0, grey_of(0.0f)}, {1.0, grey_of(1.0f)}};
   return pigment;
 }
 
@@ -92,7 +92,7 @@ TEST(Pigment, EndOfAUnitGradientKeepsItsLastColor) { EXPECT_EQ(level_at(ramp({})
 
 TEST(Pigment, ColorsBeyondTheEndsOfTheMapStay) {
   Pigment pigment = ramp({});
-  pigment.map = {{0.25, grey_of(0.5f)}, {0.75, grey_of(1.0f)}};
+  pigment.pattern.change().map = {{0.25, grey_of(0.5f)}, {0.75, grey_of(1.0f)}};
   EXPECT_EQ(level_at(pigment, 0.1), 0.5);
   EXPECT_EQ(level_at(pigment, 0.9), 1.0);
   EXPECT_EQ(level_at(pigment, 0.5), 0.75);
@@ -100,7 +100,7 @@ TEST(Pigment, ColorsBeyondTheEndsOfTheMapStay) {
 
 TEST(Pigment, EntriesAtOnePositionMakeAnEdge) {
   Pigment pigment = ramp({});
-  pigment.map = {{0.0, grey_of(0.0f)}, {0.5, grey_of(0.5f)}, {0.5, grey_of(1.0f)}, {1.0, grey_of(1.0f)}};
+  pigment.pattern.change().map = {{0.0, grey_of(0.0f)}, {0.5, grey_of(0.5f)}, {0.5, grey_of(1.0f)}, {1.0, grey_of(1.0f)}};
   EXPECT_EQ(level_at(pigment, 0.25), 0.25);
   EXPECT_EQ(level_at(pigment, 0.5), 0.5) << "the edge itself belongs to the range below";
   EXPECT_EQ(level_at(pigment, 0.50001), 1.0);
@@ -109,14 +109,14 @@ TEST(Pigment, EntriesAtOnePositionMakeAnEdge) {
 TEST(Pigment, MapPositionsCountInSinglePrecision) {
   // The double nearest to 0.8 lies below the float nearest to it, so 0.8 itself is not yet the last entry.
   Pigment pigment = ramp({});
-  pigment.map = {{0.0, grey_of(0.0f)}, {0.8, grey_of(0.5f)}, {0.8, grey_of(1.0f)}};
+  pigment.pattern.change().map = {{0.0, grey_of(0.0f)}, {0.8, grey_of(0.5f)}, {0.8, grey_of(1.0f)}};
   EXPECT_LT(level_at(pigment, 0.8), 0.6);
   EXPECT_EQ(level_at(pigment, static_cast<double>(0.8f)), 1.0);
 }
 
 TEST(Pigment, FilterAndTransmitAreBlendedToo) {
   Pigment pigment = ramp({});
-  pigment.map = {{0.0, {Rgb(0.0f), 1.0f, 0.0f}}, {1.0, {Rgb(0.0f), 0.0f, 0.5f}}};
+  pigment.pattern.change().map = {{0.0, {Rgb(0.0f), 1.0f, 0.0f}}, {1.0, {Rgb(0.0f), 0.0f, 0.5f}}};
   const FilteredColor color = color_at(pigment, {0.25, 0.0, 0.0});
   EXPECT_FLOAT_EQ(color.filter, 0.75f);
   EXPECT_FLOAT_EQ(color.transmit, 0.125f);
@@ -124,8 +124,8 @@ TEST(Pigment, FilterAndTransmitAreBlendedToo) {
 
 TEST(Pigment, StepsDoNotBlend) {
   Pigment pigment;
-  pigment.pattern = patterned(PatternKind::checker);
-  pigment.map = {{0.0, grey_of(0.25f)}, {1.0, grey_of(0.75f)}};
+  pigment.pattern =
+      PigmentPattern{patterned(PatternKind::checker), {{0.0, grey_of(0.25f)}, {1.0, grey_of(0.75f)}}};
   EXPECT_EQ(level_at(pigment, 0.5), 0.25);
   EXPECT_EQ(level_at(pigment, 1.5), 0.75);
 }
@@ -139,8 +139,8 @@ TEST(Pigment, IsPlacedByItsTransform) {
 
 TEST(Pigment, AnswersForPointsThatAreNoNumbers) {
   Pigment pigment;
-  pigment.pattern = patterned(PatternKind::checker);
-  pigment.map = {{0.0, grey_of(0.25f)}, {1.0, grey_of(0.75f)}};
+  pigment.pattern =
+      PigmentPattern{patterned(PatternKind::checker), {{0.0, grey_of(0.25f)}, {1.0, grey_of(0.75f)}}};
   for (const double x : {HUGE_VAL, -HUGE_VAL, std::numeric_limits<double>::quiet_NaN()}) {
     const double level = level_at(pigment, x);
     EXPECT_TRUE(level == 0.25 || level == 0.75);
@@ -154,7 +154,7 @@ TEST(Opacity, DependsOnEveryColorOfTheMap) {
   EXPECT_FALSE(lets_light_through(pigment));
   pigment.color.transmit = 1.0f;
   EXPECT_FALSE(lets_light_through(pigment)) << "the plain colour of a patterned pigment does not show";
-  pigment.map[1].color.filter = 0.01f;
+  pigment.pattern.change().map[1].color.filter = 0.01f;
   EXPECT_TRUE(lets_light_through(pigment));
 }
 

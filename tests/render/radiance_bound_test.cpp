@@ -124,12 +124,12 @@ TEST(RadianceBound, LayersDoNotDimTheMirrorsBelow) {
 
 TEST(RadianceBound, BetweenColoursOfAMapMoreMayPassThanThroughEither) {
   TextureLayer layer;
-  layer.pigment.pattern = patterned(PatternKind::gradient, GradientParameters{{1, 0, 0}});
-  layer.pigment.map = {{0.0, {Rgb(1.0f), 0.0f, 0.0f}}, {1.0, {Rgb(0.0f), 1.0f, 0.0f}}};
+  const ColorMap map = {{0.0, {Rgb(1.0f), 0.0f, 0.0f}}, {1.0, {Rgb(0.0f), 1.0f, 0.0f}}};
+  layer.pigment.pattern = PigmentPattern{patterned(PatternKind::gradient, GradientParameters{{1, 0, 0}}), map};
   layer.finish = mirror(0.9f);
   // A quarter passes in the middle: 0.9 / (1 - 1/4), for rows of such surfaces.
   EXPECT_NEAR(RadianceBound(*scene_of({floor_of({layer})}, white_sky)).most(3), 1.2, kMargin);
-  layer.pigment.pattern = patterned(PatternKind::checker);
+  layer.pigment.pattern = PigmentPattern{patterned(PatternKind::checker), map};
   EXPECT_NEAR(RadianceBound(*scene_of({floor_of({layer})}, white_sky)).most(3), 1.0, kMargin);
 }
 

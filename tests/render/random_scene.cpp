@@ -62,13 +62,13 @@ Pigment Maker::pigment() {
   const bool clear = chance(0.6);
   result.color = filtered(clear);
   if (chance(0.4)) return result;
-  result.pattern =
-      chance(0.3) ? patterned(PatternKind::checker) : patterned(PatternKind::gradient, GradientParameters{point(1.0)});
+  PigmentPattern pattern{chance(0.3) ? patterned(PatternKind::checker)
+                                     : patterned(PatternKind::gradient, GradientParameters{point(1.0)})};
   const int entries = 2 + choice(3);
-  for (int i = 0; i < entries; ++i) result.map.push_back({i / 3.0, filtered(clear && chance(0.8))});
-  Patterning& pattern = result.pattern.change();
+  for (int i = 0; i < entries; ++i) pattern.map.push_back({i / 3.0, filtered(clear && chance(0.8))});
   pattern.wave.form = chance(0.5) ? WaveForm::ramp : WaveForm::sine;
   pattern.warps.transform(Transform::scaling(Vec3(between(0.2, 1.0))));
+  result.pattern = std::move(pattern);
   return result;
 }
 

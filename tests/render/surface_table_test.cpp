@@ -93,7 +93,7 @@ TEST(SurfaceTable, NegativeDiffuseIsNone) {
 
 TEST(SurfaceTable, WhatHasAPatternIsNotPlain) {
   TextureLayer layer = layer_of({Rgb(1.0f)});
-  layer.pigment.pattern = patterned(PatternKind::checker);
+  layer.pigment.pattern = PigmentPattern{patterned(PatternKind::checker)};
   const Scene scene = scene_of({{layer}});
   const SurfaceTable table(scene);
   EXPECT_FALSE(table.layers(0)[0].is_plain);
