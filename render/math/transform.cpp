@@ -67,10 +67,8 @@ Mat4 turn(double radians, int from, int to) {
 
 }  // namespace
 
-const Transform::Matrices Transform::kIdentity;
-
 Transform::Transform(const Matrices& matrices)
-    : matrices_(matrices.forth == Mat4() ? nullptr : std::make_shared<const Matrices>(matrices)) {}
+    : matrices_(matrices.forth == Mat4() ? Shared<Matrices>() : Shared<Matrices>(matrices)) {}
 
 Transform::Transform(const Mat4& matrix) : Transform(Matrices{matrix, affine_inverse(matrix)}) {}
 

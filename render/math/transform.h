@@ -1,8 +1,7 @@
 #pragma once
 
+#include "render/math/shared.h"
 #include "render/math/vec.h"
-
-#include <memory>
 
 namespace firstlight::render {
 
@@ -24,9 +23,9 @@ class Transform {
   static Transform rotation_about(const Vec3& axis, double degrees);
   static bool is_invertible(const Mat4& matrix);
 
-  bool is_identity() const { return matrices_ == nullptr; }
-  const Mat4& matrix() const { return matrices_ ? matrices_->forth : kIdentity.forth; }
-  const Mat4& inverse_matrix() const { return matrices_ ? matrices_->back : kIdentity.back; }
+  bool is_identity() const { return matrices_.is_initial(); }
+  const Mat4& matrix() const { return matrices_->forth; }
+  const Mat4& inverse_matrix() const { return matrices_->back; }
   Transform inverse() const;
   Transform then(const Transform& next) const;
 
@@ -45,11 +44,10 @@ class Transform {
     Mat4 forth;
     Mat4 back;
   };
-  static const Matrices kIdentity;
 
   explicit Transform(const Matrices& matrices);
 
-  std::shared_ptr<const Matrices> matrices_;  ///< null: the identity
+  Shared<Matrices> matrices_;  ///< initial: the identity
 };
 
 }  // namespace firstlight::render

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <thread>
 #include <vector>
 
 namespace firstlight::render {
@@ -38,6 +39,29 @@ TEST(Shared, WhatNobodySharesIsChangedInPlace) {
   EXPECT_EQ(thing->list, std::vector<int>{3});
   EXPECT_TRUE(Shared<Thing>().is_initial());
   EXPECT_TRUE(Shared<Thing>()->list.empty()) << "the initial value stays as it is";
+}
+
+struct Ending {
+  int* ends = nullptr;
+  ~Ending() {
+    if (ends != nullptr) ++*ends;
+  }
+};
+
+TEST(Shared, EndsWithItsLastCopyWhicheverThreadDropsIt) {
+  int ends = 0;
+  {
+    std::vector<std::jthread> threads;
+    Shared<Ending> all;
+    all.change().ends = &ends;
+    for (int i = 0; i < 4; ++i) {
+      threads.emplace_back([mine = all] {
+        for (int turn = 0; turn < 10000; ++turn) Shared<Ending> another = mine;
+      });
+    }
+    all = Shared<Ending>();
+  }
+  EXPECT_EQ(ends, 1);
 }
 
 }  // namespace
