@@ -161,7 +161,9 @@ TexturePtr layered(Reader& reader, const TexturePtr& upper, const TexturePtr& lo
   const std::size_t untinted = !old_rules ? 0 : lower ? upper->layers.size() : upper->layers.size() - 1;
   Untinted change;
   for (std::size_t i = 0; i < untinted; ++i) change.change(result->layers[i].pigment);
-  if (lower) result->layers.insert(result->layers.end(), lower->layers.begin(), lower->layers.end());
+  if (lower) {
+    for (const TextureLayer& layer : lower->layers) result->layers.push_back(layer);
+  }
   return result;
 }
 

@@ -53,7 +53,7 @@ class TextureOwner final : public PatternOwner {
 
 TexturePtr texture_of(TexturePattern pattern) {
   auto texture = std::make_shared<render::Texture>();
-  texture->layers.emplace_back();
+  texture->layers.push_back({});
   texture->layers.front().extras.change().patterned = std::make_shared<const TexturePattern>(std::move(pattern));
   return texture;
 }

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "render/math/mostly_one.h"
 #include "render/math/shared.h"
 #include "render/texture/finish.h"
 #include "render/texture/normal.h"
@@ -37,7 +38,7 @@ struct TextureLayer {
 
 /// What covers a surface, in layers. Shared between objects, immutable once shared; each use has its own placement.
 struct Texture {
-  std::vector<TextureLayer> layers;  ///< topmost first, as they are shaded
+  MostlyOne<TextureLayer> layers;  ///< topmost first, as they are shaded
 };
 
 /// Whether no light at all passes through the texture.

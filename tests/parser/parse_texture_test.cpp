@@ -33,8 +33,8 @@ TEST(ParseTexture, DeclaredPigmentIsAStartThatTheBlockAlters) {
 
 TEST(ParseTexture, SurfacesThatDifferInTheirColorAloneShareTheRest) {
   const auto scene = scene_of("sphere { 0, 1 pigment { rgb 1 } } sphere { 0, 1 texture { pigment { color rgb x } } }");
-  const auto& first = scene->textures.at(0).texture->layers.at(0);
-  const auto& second = scene->textures.at(1).texture->layers.at(0);
+  const auto& first = scene->textures.at(0).texture->layers[0];
+  const auto& second = scene->textures.at(1).texture->layers[0];
   EXPECT_TRUE(first.pigment.pattern.is_same(second.pigment.pattern));
   EXPECT_TRUE(first.finish.is_same(second.finish));
   EXPECT_EQ(first.pigment.pattern->kind, render::PatternKind::plain);
@@ -45,7 +45,7 @@ TEST(ParseTexture, EqualFinishesOneAfterAnotherAreKeptOnce) {
       "#for (I, 1, 3) sphere { 0, 1 texture { pigment { rgb I } finish { phong 0.5 } } } #end"
       " sphere { 0, 1 finish { phong 0.25 } } sphere { 0, 1 finish { phong 0.5 } }");
   const auto finish = [&](std::size_t part) {
-    return scene->textures.at(scene->parts.at(part).texture).texture->layers.at(0).finish;
+    return scene->textures.at(scene->parts.at(part).texture).texture->layers[0].finish;
   };
   EXPECT_TRUE(finish(0).is_same(finish(1)) && finish(1).is_same(finish(2)));
   EXPECT_FALSE(finish(3).is_same(finish(2)));

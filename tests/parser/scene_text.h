@@ -80,7 +80,7 @@ inline const render::Finish& finish_of(const render::Scene& scene, std::size_t p
 inline render::FilteredColor color_of(const render::Scene& scene, const render::Vec3& point, std::size_t part = 0,
                                       std::size_t layer = 0) {
   const render::PlacedTexture& placed = scene.textures.at(scene.parts.at(part).texture);
-  return render::color_at(placed.texture->layers.at(layer).pigment, placed.to_texture.point(point));
+  return render::color_at(placed.texture->layers[layer].pigment, placed.to_texture.point(point));
 }
 
 inline bool inside(const render::Scene& scene, const render::Vec3& point, std::size_t solid = 0) {

@@ -38,7 +38,7 @@ inline std::string unrendered(std::string_view text) {
 }
 
 inline const render::TextureLayer& layer_of(const render::Scene& scene, std::size_t part = 0, std::size_t layer = 0) {
-  return scene.textures.at(scene.parts.at(part).texture).texture->layers.at(layer);
+  return scene.textures.at(scene.parts.at(part).texture).texture->layers[layer];
 }
 inline const render::Interior& interior_of(const render::Scene& scene, std::size_t part = 0) {
   return scene.interiors.at(scene.parts.at(part).interior);

@@ -13,21 +13,21 @@ namespace {
 
 TexturePtr solid_texture(float level) {
   auto texture = std::make_shared<Texture>();
-  texture->layers.emplace_back();
+  texture->layers.push_back({});
   texture->layers[0].pigment.color.rgb = Rgb(level);
   return texture;
 }
 
 TexturePtr patterned_texture() {
   auto texture = std::make_shared<Texture>();
-  texture->layers.emplace_back();
+  texture->layers.push_back({});
   texture->layers[0].pigment.pattern = PigmentPattern{patterned(PatternKind::checker), {{0.0, {}}, {1.0, {}}}};
   return texture;
 }
 
 TexturePtr clear_texture() {
   auto texture = std::make_shared<Texture>();
-  texture->layers.emplace_back();
+  texture->layers.push_back({});
   texture->layers[0].pigment.color.transmit = 1.0f;
   return texture;
 }
@@ -262,7 +262,7 @@ TEST(SceneBuilder, CopiesOfADeclaredObjectAreDifferentMatter) {
 
 TEST(SceneBuilder, RefractionInTheFinishGoesToTheInterior) {
   auto old = std::make_shared<Texture>();
-  old->layers.resize(2);
+  old->layers = std::vector<TextureLayer>(2);
   old->layers[0].finish.change().legacy_ior = 1.4;
   old->layers[0].finish.change().legacy_refraction = 0.8;
   old->layers[1].finish.change().legacy_ior = 9.0;

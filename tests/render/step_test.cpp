@@ -25,7 +25,7 @@ Finish dark() {
 
 TexturePtr texture_of(const FilteredColor& color, const Finish& finish) {
   Texture texture;
-  texture.layers.resize(1);
+  texture.layers.push_back({});
   texture.layers[0].pigment.color = color;
   texture.layers[0].finish = finish;
   return std::make_shared<const Texture>(texture);
