@@ -37,7 +37,8 @@ bool accept_default(Reader& reader, SceneContext& context) {
     case Keyword::texture: {
       reader.take();
       const render::TexturePtr texture = parse_texture(reader, context, word);
-      if (texture->layers.front().extras->patterned) reader.fail(word, "the default texture cannot be made of textures");
+      if (texture->layers.front().extras->patterned)
+        reader.fail(word, "the default texture cannot be made of textures");
       if (texture->layers.size() != 1) reader.fail(word, "the default texture cannot have layers");
       context.default_texture = texture;
       return true;
@@ -69,8 +70,8 @@ bool accept_default(Reader& reader, SceneContext& context) {
     case Keyword::normal: {
       reader.take();
       auto texture = std::make_shared<render::Texture>(*context.default_texture);
-      texture->layers[0].extras.change().normal =
-          std::make_shared<render::Normal>(parse_normal(reader, context, word, texture->layers[0].extras->normal.get()));
+      texture->layers[0].extras.change().normal = std::make_shared<render::Normal>(
+          parse_normal(reader, context, word, texture->layers[0].extras->normal.get()));
       context.default_texture = texture;
       return true;
     }

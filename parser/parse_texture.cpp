@@ -146,7 +146,8 @@ void check_layers(Reader& reader, const TexturePtr& upper, const TexturePtr& low
   }
   if (lower && lower->layers.front().extras->patterned)
     reader.fail(at, "a texture cannot lie over one that is made of textures");
-  if (lower && upper->layers.front().extras->patterned) reader.fail(at, "a texture made of textures cannot lie over another");
+  if (lower && upper->layers.front().extras->patterned)
+    reader.fail(at, "a texture made of textures cannot lie over another");
 }
 
 }  // namespace

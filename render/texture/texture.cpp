@@ -7,7 +7,8 @@ namespace firstlight::render {
 bool is_opaque(const Texture& texture) {
   // One opaque layer hides all below it and lets nothing out from above.
   return std::any_of(texture.layers.begin(), texture.layers.end(), [](const TextureLayer& layer) {
-    return layer.extras->patterned ? !layer.extras->patterned->textures->translucent : !lets_light_through(layer.pigment);
+    return layer.extras->patterned ? !layer.extras->patterned->textures->translucent
+                                   : !lets_light_through(layer.pigment);
   });
 }
 

@@ -53,7 +53,8 @@ inline render::Normal normal_of(std::string_view words) {
   return normal ? *normal : render::Normal();
 }
 inline render::TexturePattern texture_pattern_of(std::string_view words) {
-  const auto pattern = layer_of(*surface_scene("sphere { 0, 1 texture { " + std::string(words) + " } }")).extras->patterned;
+  const auto pattern =
+      layer_of(*surface_scene("sphere { 0, 1 texture { " + std::string(words) + " } }")).extras->patterned;
   return pattern ? *pattern : render::TexturePattern();
 }
 /// The message about those words in a pigment.

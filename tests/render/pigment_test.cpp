@@ -100,7 +100,8 @@ TEST(Pigment, ColorsBeyondTheEndsOfTheMapStay) {
 
 TEST(Pigment, EntriesAtOnePositionMakeAnEdge) {
   Pigment pigment = ramp({});
-  pigment.pattern.change().map = {{0.0, grey_of(0.0f)}, {0.5, grey_of(0.5f)}, {0.5, grey_of(1.0f)}, {1.0, grey_of(1.0f)}};
+  pigment.pattern.change().map = {
+      {0.0, grey_of(0.0f)}, {0.5, grey_of(0.5f)}, {0.5, grey_of(1.0f)}, {1.0, grey_of(1.0f)}};
   EXPECT_EQ(level_at(pigment, 0.25), 0.25);
   EXPECT_EQ(level_at(pigment, 0.5), 0.5) << "the edge itself belongs to the range below";
   EXPECT_EQ(level_at(pigment, 0.50001), 1.0);
@@ -124,8 +125,7 @@ TEST(Pigment, FilterAndTransmitAreBlendedToo) {
 
 TEST(Pigment, StepsDoNotBlend) {
   Pigment pigment;
-  pigment.pattern =
-      PigmentPattern{patterned(PatternKind::checker), {{0.0, grey_of(0.25f)}, {1.0, grey_of(0.75f)}}};
+  pigment.pattern = PigmentPattern{patterned(PatternKind::checker), {{0.0, grey_of(0.25f)}, {1.0, grey_of(0.75f)}}};
   EXPECT_EQ(level_at(pigment, 0.5), 0.25);
   EXPECT_EQ(level_at(pigment, 1.5), 0.75);
 }
@@ -139,8 +139,7 @@ TEST(Pigment, IsPlacedByItsTransform) {
 
 TEST(Pigment, AnswersForPointsThatAreNoNumbers) {
   Pigment pigment;
-  pigment.pattern =
-      PigmentPattern{patterned(PatternKind::checker), {{0.0, grey_of(0.25f)}, {1.0, grey_of(0.75f)}}};
+  pigment.pattern = PigmentPattern{patterned(PatternKind::checker), {{0.0, grey_of(0.25f)}, {1.0, grey_of(0.75f)}}};
   for (const double x : {HUGE_VAL, -HUGE_VAL, std::numeric_limits<double>::quiet_NaN()}) {
     const double level = level_at(pigment, x);
     EXPECT_TRUE(level == 0.25 || level == 0.75);
