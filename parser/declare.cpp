@@ -39,7 +39,7 @@ Interpreter::Target Interpreter::parse_target(const Token& word) {
     if (raw_next().kind == TokenKind::string) deprecation->message = unescape(*this, take_raw());
   }
   const Scopes::Reach reach = take_reach();
-  target.name = take_identifier(word);
+  target.name = take_identifier(word, reach);
   if (deprecation) {
     if (deprecation->message.empty()) deprecation->message = "'" + std::string(target.name.text) + "' is deprecated";
     deprecated_[target.name.symbol] = std::move(*deprecation);

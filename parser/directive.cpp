@@ -227,7 +227,7 @@ void Interpreter::run_message(const Token& word) {
 void Interpreter::run_undef(const Token& word) {
   unsettle();
   const Scopes::Reach reach = take_reach();
-  const Token& name = take_identifier(word);
+  const Token& name = take_identifier(word, reach);
   const Scopes::Binding* binding = scopes_.find(name.symbol, reach);
   if (binding == nullptr) {
     warn(name.location, "'" + std::string(name.text) + "' is not declared, so '#undef' changes nothing");
@@ -298,9 +298,9 @@ std::string Interpreter::find_file(const std::string& name, const std::vector<st
   return found_file(files_.find_file(name, extensions, *frames_.back().file->source), name, at).path;
 }
 
-const Token& Interpreter::take_identifier(const Token& word) {
+const Token& Interpreter::take_identifier(const Token& word, Scopes::Reach reach) {
   unsettle();
-  const Token& name = take_raw();
+  const Token& name = take_prefixed(reach);
   if (name.kind == TokenKind::identifier) return name;
   const std::string found = name.kind == TokenKind::keyword ? "the reserved word " + describe(name) : describe(name);
   fail(name.location, "expected an identifier after '#" + std::string(word.text) + "', found " + found);
@@ -310,7 +310,7 @@ bool Interpreter::parse_defined() {
   expect(Punctuation::left_paren, "before the name");
   unsettle();
   const Scopes::Reach reach = take_reach();
-  const Token& name = take_raw();
+  const Token& name = take_prefixed(reach);
   if (name.kind != TokenKind::identifier && name.kind != TokenKind::keyword) {
     fail(name.location, "expected an identifier, found " + describe(name));
   }

@@ -162,7 +162,7 @@ class Interpreter final : public TokenStream {
   Target parse_target(const Token& word);
   Argument parse_argument(bool parameter);
   Value parse_statement_value();
-  const Token& take_identifier(const Token& word);
+  const Token& take_identifier(const Token& word, Scopes::Reach reach = Scopes::Reach::any);
   // several_declare.cpp
   void run_several_declare(const Token& word);
   std::vector<Target> parse_targets(const Token& word, Punctuation closing);
@@ -183,7 +183,7 @@ class Interpreter final : public TokenStream {
   void grow(Array& array, std::size_t size, const Location& at);
   // dictionary.cpp
   Value parse_dictionary(const Token& word);
-  std::string parse_key();
+  std::string parse_key() override;
   Scopes::Slot pick_entry(const std::shared_ptr<Dictionary>& dictionary, const Token& name, Pick purpose);
   Scopes::Slot add_entry(Dictionary& dictionary, const std::string& key, const Location& at);
   // file_directive.cpp

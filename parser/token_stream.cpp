@@ -19,6 +19,12 @@ bool stands_for_itself(const Token& token) {
          token.keyword != Keyword::local && token.keyword != Keyword::global;
 }
 
+/// `local` or `global` before `.Name` or `["Name"]`. There is a token behind it, for the last one is the file's end.
+bool is_prefix(const Token& token) {
+  if (token.keyword != Keyword::local && token.keyword != Keyword::global) return false;
+  return (&token)[1].is(Punctuation::period) || (&token)[1].is(Punctuation::left_bracket);
+}
+
 }  // namespace
 
 void TokenStream::fail_nesting() {
@@ -63,7 +69,7 @@ void TokenStream::settle_step_by_step() {
       if (settle_name(token)) return;
       continue;
     }
-    if ((token.keyword == Keyword::local || token.keyword == Keyword::global) && (&token)[1].is(Punctuation::period)) {
+    if (is_prefix(token)) {
       if (settle_prefixed_name()) return;
       continue;
     }
@@ -92,7 +98,7 @@ bool TokenStream::settle_prefixed_name() {
   note_statement(index);
   const std::string prefix(raw_next().text);
   const Scopes::Reach reach = take_reach();
-  const Token& name = take_raw();
+  const Token& name = take_prefixed(reach);
   if (name.kind != TokenKind::identifier) {
     fail(name.location, "expected an identifier behind '" + prefix + ".', found " + describe(name));
   }
@@ -213,11 +219,30 @@ const Token& TokenStream::take_raw() {
 
 Scopes::Reach TokenStream::take_reach() {
   const Token& word = raw_next();
-  const bool local = word.is(Keyword::local);
-  if ((!local && !word.is(Keyword::global)) || !(&word)[1].is(Punctuation::period)) return Scopes::Reach::any;
+  if (!is_prefix(word)) return Scopes::Reach::any;
   count(word.keyword);
-  frames_.back().position += 2;
-  return local ? Scopes::Reach::local : Scopes::Reach::global;
+  frames_.back().position += (&word)[1].is(Punctuation::period) ? 2 : 1;
+  return word.is(Keyword::local) ? Scopes::Reach::local : Scopes::Reach::global;
+}
+
+const Token& TokenStream::take_prefixed(Scopes::Reach reach) {
+  if (reach == Scopes::Reach::any || !raw_next().is(Punctuation::left_bracket)) return take_raw();
+  constexpr std::size_t kMostNames = 1'000'000;
+  const Token& bracket = raw_next();
+  const Nesting nesting(*this);
+  const std::uint32_t symbol = symbols_.intern(parse_key());
+  unsettle();
+  const auto [at, is_new] = named_by_strings_.try_emplace({&bracket, symbol});
+  if (is_new) {
+    if (named_by_strings_.size() > kMostNames) {
+      fail_finally(bracket.location, "too many names are given as strings (limit " + std::to_string(kMostNames) + ")");
+    }
+    at->second.kind = TokenKind::identifier;
+    at->second.symbol = symbol;
+    at->second.text = symbols_.name(symbol);
+    at->second.location = bracket.location;
+  }
+  return at->second;
 }
 
 void TokenStream::fail_expected(Punctuation mark, std::string_view purpose, std::string_view name) {

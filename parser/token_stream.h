@@ -12,6 +12,7 @@
 #include <memory>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 namespace firstlight::parser {
@@ -178,10 +179,14 @@ class TokenStream {
   enum class Pick { value, target, test };
   /// The slot of the part that the subscripts and keys behind `name` pick.
   virtual Scopes::Slot pick_part(const Scopes::Slot& container, const Token& name, Pick purpose) = 0;
+  /// `.Key` or `["Key"]`.
+  virtual std::string parse_key() = 0;
 
   const Token& take_raw();
-  /// Takes the `local.` or `global.` that stands before a name, if any.
+  /// Takes the `local.` or `global.` that stands before a name, if any; of `local["Name"]` the word.
   Scopes::Reach take_reach();
+  /// What stands behind that, mostly a name. One that a string gives is made a token.
+  const Token& take_prefixed(Scopes::Reach reach);
   void count(Keyword word) { ++keyword_counts_[static_cast<std::size_t>(word)]; }
   const Token& raw_next() const { return frames_.back().file->tokens[frames_.back().position]; }
   /// Gives up the token that peek() has shown, if any, so that reading goes on before it.
@@ -211,6 +216,7 @@ class TokenStream {
   std::vector<Frame> frames_;
   std::vector<Token> blocks_;  // owners of the open braces
   StatementStart statement_;
+  std::map<std::pair<const Token*, std::uint32_t>, Token> named_by_strings_;  // by the `[` and the symbol
   std::map<std::uint32_t, Deprecation> deprecated_;  // by symbol
   bool replays_ = false;                             // there has been a turn of a loop or a call of a macro
 

@@ -47,6 +47,24 @@ TEST(ScopePrefix, CanBeUndefined) {
                      "#debug str(defined(A), 0, 0)"),
             "20");
 }
+TEST(ScopePrefix, TakesTheNameAsAStringToo) {
+  EXPECT_EQ(debugged("#declare A1 = 1; #macro M() #local A1 = 2; #debug str(global[\"A1\"]*10 + local[concat(\"A\", "
+                     "str(1, 0, 0))], 0, 0) #end M()"),
+            "12");
+  EXPECT_EQ(debugged("#for (I, 1, 3) #declare global[concat(\"B\", str(I, 0, 0))] = I*I; #end "
+                     "#debug str(B1 + B2*10 + B3*100, 0, 0)"),
+            "941");
+  EXPECT_EQ(debugged("#declare A = array[2] { 3, 4 }; #macro F(X) X*2 #end #declare N = \"A\"; "
+                     "#debug str(global[N][1]*10 + global[\"F\"](3), 0, 0)"),
+            "46");
+  EXPECT_EQ(debugged("#declare A = 1; #macro Set(X) #declare X = 6; #end Set(global[\"A\"]) #debug str(A, 0, 0) "
+                     "#debug str(defined(global[\"A\"])*10 + defined(local[\"B\"]), 0, 0) #undef global[\"A\"] "
+                     "#ifndef (A) #debug \"gone\" #end"),
+            "610gone");
+  EXPECT_EQ(debugged("#declare B = 1 + local[\"Missing\"];"),
+            "error: expected a numeric expression, found undeclared identifier 'Missing'");
+  EXPECT_EQ(debugged("#declare B = global[5];"), "error: expected a string, found number 5");
+}
 TEST(ScopePrefix, NeedsAName) {
   EXPECT_EQ(debugged("#declare B = global.5;"), "error: expected a value, found 'global'");
   EXPECT_EQ(debugged("#declare B = global.sphere;"), "error: expected an identifier behind 'global.', found 'sphere'");
