@@ -22,6 +22,11 @@ double into_domain(Interpreter& in, const Token& word, double value) {
   return std::clamp(value, -1.0, 1.0);
 }
 
+/// Sums of products, as in POV-Ray, even where nothing turns: a negative zero becomes a positive one.
+render::Vec3 turned(const render::Vec3& vector, const render::Transform& turn) {
+  return turn.point(vector) + render::Vec3(0.0);
+}
+
 }  // namespace
 
 std::optional<double> constant_of(Keyword word) {
@@ -212,10 +217,10 @@ render::Vec3 vector_of_vectors(Interpreter& in, const Token& word, const render:
     case Keyword::vcross:
       return first.cross(second);
     case Keyword::vrotate:
-      return render::Transform::rotation(second).point(first);
+      return turned(first, render::Transform::rotation(second));
     default:  // vaxis_rotate
       if (!(second.dot(second) > 0.0)) in.fail(word.location, "'vaxis_rotate' needs an axis that has a length");
-      return render::Transform::rotation_about(second, degrees).point(first);
+      return turned(first, render::Transform::rotation_about(second, degrees));
   }
 }
 

@@ -217,8 +217,8 @@ class TokenStream {
   std::vector<Token> blocks_;  // owners of the open braces
   StatementStart statement_;
   std::map<std::pair<const Token*, std::uint32_t>, Token> named_by_strings_;  // by the `[` and the symbol
-  std::map<std::uint32_t, Deprecation> deprecated_;  // by symbol
-  bool replays_ = false;                             // there has been a turn of a loop or a call of a macro
+  std::map<std::uint32_t, Deprecation> deprecated_;                           // by symbol
+  bool replays_ = false;  // there has been a turn of a loop or a call of a macro
 
  private:
   static constexpr std::uint64_t kTokensBetweenLooks = 1u << 12;

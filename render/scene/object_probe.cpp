@@ -18,6 +18,8 @@ using Objects = std::shared_ptr<const std::vector<Object>>;
 constexpr double kNearest = 1e-4;
 /// Where the box of what has no bounds ends. [POV-Ray 3.7]
 constexpr double kFarthest = 1e10;
+/// A combination that is longer counts as one without bounds. [POV-Ray 3.7]
+constexpr double kLongest = 1e6;
 /// Added on all sides to the box of a triangle. [POV-Ray 3.7]
 constexpr double kTrianglePadding = 1e-10;
 
@@ -26,6 +28,11 @@ bool are_made(const Objects& objects) { return !objects || std::all_of(objects->
 Box3 farthest_box() { return {Vec3(-kFarthest), Vec3(kFarthest)}; }
 
 bool is_empty(const Box3& box) { return box.min.x > box.max.x || box.min.y > box.max.y || box.min.z > box.max.z; }
+
+bool is_too_long(const Box3& box) {
+  const Vec3 size = box.size();
+  return std::max({size.x, size.y, size.z}) > kLongest;
+}
 
 Box3 common(const Box3& a, const Box3& b) {
   Box3 both;
@@ -49,8 +56,6 @@ Box3 stored(const Box3& box) {
   return result;
 }
 
-Box3 box_of(const Object& object, const Transform& to_world, bool inverted);
-
 /// What is below a plane, if the plane lies along two axes.
 Box3 box_of_half_space(const Plane& plane) {
   constexpr double kAlmostOne = 1.0 - 1e-10;
@@ -62,12 +67,13 @@ Box3 box_of_half_space(const Plane& plane) {
   return box;
 }
 
-Box3 box_of_shape(const Object& object, const Transform& here, bool inverted, bool in_intersection) {
-  const ShapePtr shape = placed_shape(object, here, inverted);
-  if (const auto* plane = dynamic_cast<const Plane*>(shape.get())) {
-    return in_intersection ? box_of_half_space(*plane) : farthest_box();
-  }
-  Box3 box = shape->bounds();
+bool is_plane(const Object& object) {
+  return object.kind == Object::Kind::shape && dynamic_cast<const Plane*>(object.shape.get()) != nullptr;
+}
+
+Box3 box_of_shape(const Object& object, const Transform& here) {
+  if (is_plane(object)) return farthest_box();
+  Box3 box = placed_shape(object, here, false)->bounds();
   if (object.word == "triangle" || object.word == "smooth_triangle") {
     box.min -= Vec3(kTrianglePadding);
     box.max += Vec3(kTrianglePadding);
@@ -75,40 +81,39 @@ Box3 box_of_shape(const Object& object, const Transform& here, bool inverted, bo
   return box;
 }
 
-bool is_plane(const Object& object) {
-  return object.kind == Object::Kind::shape && dynamic_cast<const Plane*>(object.shape.get()) != nullptr;
-}
+Box3 box_of(const Object& object, const Transform& placement);
 
-/// Of a combination whose members stand in `here`.
-Box3 box_of_members(const Object& object, const Transform& here, bool inverted) {
+/// Of a combination, in its own space. `inverse` does not change it.
+Box3 box_of_members(const Object& object) {
   if (!object.children) return farthest_box();
-  const bool intersects = solid_kind(object.kind, inverted) == Solid::Kind::intersection;
+  const bool intersects = object.kind == Object::Kind::intersection;
   Box3 box = farthest_box();
   if (!intersects) box.makeEmpty();
   for (const Object& member : *object.children) {
     if (!intersects) {
-      box.extendBy(box_of(member, here, inverted));
+      box.extendBy(box_of(member, Transform()));
     } else if (is_plane(member)) {
-      const bool complement = inverted != member.inverted;
-      box = common(box, box_of_shape(member, member.placement.then(here), complement, true));
-    } else if (inverted == member.inverted) {
-      box = common(box, box_of(member, here, inverted));
+      const ShapePtr shape = placed_shape(member, member.placement, member.inverted);
+      box = common(box, box_of_half_space(dynamic_cast<const Plane&>(*shape)));
+    } else if (!member.inverted) {
+      box = common(box, box_of(member, Transform()));
     }
   }
-  return is_empty(box) ? farthest_box() : box;
+  return is_empty(box) || is_too_long(stored(box)) ? farthest_box() : stored(box);
 }
 
-Box3 box_of(const Object& object, const Transform& to_world, bool inverted) {
+/// The box of a shape is that of where it is at last; the box of a combination moves as a box, and grows with each turn.
+Box3 box_of(const Object& object, const Transform& placement) {
   if (object.kind == Object::Kind::light) return farthest_box();
-  const Transform here = object.placement.then(to_world);
-  const bool complement = inverted != object.inverted;
-  Box3 box = object.kind == Object::Kind::shape ? box_of_shape(object, here, complement, false)
-                                                : box_of_members(object, here, complement);
+  const Transform here = object.placement.then(placement);
+  Box3 box = object.kind == Object::Kind::shape
+                 ? box_of_shape(object, here)
+                 : placement.box(stored(object.placement.box(box_of_members(object))));
   for (const Objects* cutting : {&clips_of(object), &bounds_of(object)}) {
     if (!*cutting) continue;
     for (const Object& cut : **cutting) {
       if (cut.inverted) continue;
-      const Box3 both = common(box, box_of(cut, here, false));
+      const Box3 both = common(box, box_of(cut, here));
       if (!is_empty(both)) box = both;
     }
   }
@@ -147,6 +152,6 @@ std::optional<ObjectProbe::Hit> ObjectProbe::trace(const Vec3& origin, const Vec
 
 bool ObjectProbe::inside(const Vec3& point) const { return solid_ && solid_->inside(point); }
 
-Box3 extent(const Object& object) { return box_of(object, Transform(), false); }
+Box3 extent(const Object& object) { return box_of(object, Transform()); }
 
 }  // namespace firstlight::render
