@@ -236,10 +236,10 @@ void Solid::crossings(const Ray& ray, std::uint8_t hidden_bit, std::vector<Cross
     }
     members_to_ask.resize(mark);
   } else {
-    for (std::size_t i = 0; i < structure.members.size(); ++i) {
-      if (meets(ray, structure.member_boxes[i])) {
-        add_member_crossings(structure.members[i], ray, hidden_bit, hiding, out);
-      }
+    const Solid* member = structure.members.data();
+    for (const Box3& box : structure.member_boxes) {
+      if (meets(ray, box)) add_member_crossings(*member, ray, hidden_bit, hiding, out);
+      ++member;
     }
   }
   if (!structure.clips.empty()) {
