@@ -30,7 +30,7 @@ void trace_recursively(Frame& frame, render::Stepper& stepper, RayQueue& queue, 
   DepthFirst depth_first(frame, stepper, tally);
   PrimaryOrder::Batch batch;
   while (!queue.closed()) {
-    if (!frame.primaries().next(batch)) {
+    if (!frame.primaries().next(worker, batch)) {
       frame.report(stepper.counts(), tally);
       queue.wait_and_pop(worker, [&frame] { return frame.primaries().refill(); });
       continue;

@@ -16,8 +16,7 @@ namespace firstlight::priority {
 class DepthFirst {
  public:
   /// Pre: all outlive this.
-  DepthFirst(Frame& frame, render::Stepper& stepper, Tally& tally)
-      : frame_(frame), stepper_(stepper), tally_(tally) {}
+  DepthFirst(Frame& frame, render::Stepper& stepper, Tally& tally) : frame_(frame), stepper_(stepper), tally_(tally) {}
 
   /// Pre: `roots` may be the stepper's spawned().
   void run(std::span<const render::RayTask> roots);

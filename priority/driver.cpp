@@ -69,6 +69,7 @@ TraceResult trace(const render::TraceContext& context, render::Film& film, const
       first = options.steering->scheme();
       own.scheme = first.get();
     }
+    film.deal_out(own.threads);
     Frame frame(context, film, own);
     const auto shared = std::make_unique<Shared>(own, samples);
     std::vector<render::RayCounts> counts(static_cast<std::size_t>(own.threads));

@@ -43,7 +43,6 @@ Frame::Frame(const render::TraceContext& context, render::Film& film, const Trac
                  options.scheme == nullptr ? render::PrimaryTiles::Order::square_by_square
                                            : render::PrimaryTiles::Order::coarse_to_fine,
                  options.antialias),
-      threads_(options.threads),
       next_checkpoint_(options.checkpoint_rays),
       workers_(options.threads) {
   const std::int64_t most = bound_.at_stake(primary_task());
@@ -84,7 +83,7 @@ void Frame::lit(const PrimaryOrder::Batch& batch) {
 
 void Frame::add(std::span<const render::Contribution> light, const render::RayCounts& counts, Tally& tally) {
   constexpr int kBatchesOfReport = 8;
-  film_.add(light, threads_);
+  film_.add(light);
   for (const render::Contribution& contribution : light) tally.change += contribution.outstanding;
   if (++tally.batches == kBatchesOfReport) report(counts, tally);
 }

@@ -21,8 +21,8 @@
 
 namespace firstlight::priority {
 
-/// What one worker has done, of which the frame knows only now and then: numbers that all workers change would go to and
-/// fro between their processors.
+/// What one worker has done, of which the frame knows only now and then: numbers that all workers change would go to
+/// and fro between their processors.
 struct Tally {
   render::RayCounts reported;  ///< rays that the frame knows of
   std::int64_t change = 0;     ///< of what may still come, over all samples, in steps of FixedRgb; not reported
@@ -101,7 +101,6 @@ class Frame {
   const TraceOptions options_;
   const render::RadianceBound bound_;
   PrimaryOrder primaries_;
-  const int threads_;
   const Clock::time_point begin_ = Clock::now();
   // Changed again and again, all that follows seldom: on lines of their own.
   alignas(64) std::atomic<std::uint32_t> tiles_lit_ = 0;

@@ -66,8 +66,11 @@ PrimaryOrder::PrimaryOrder(const render::TraceContext& context, render::Film& fi
   if (antialias != nullptr) {
     antialias_ = std::make_unique<render::Antialiasing>(*antialias, film);
   }
-  waiting_.reserve(tiles_.count());
-  for (std::uint32_t tile = 0; tile < tiles_.count(); ++tile) waiting_.push_back({tile, kTopSlot});
+  for (std::uint32_t tile = 0; tile < tiles_.count(); ++tile) {
+    const std::size_t owner = film.owner_of(tiles_.corner_of(tile));
+    if (owner >= waiting_.size()) waiting_.resize(owner + 1);
+    waiting_[owner].tiles.push_back({tile, tiles_.stride_of(tile), kTopSlot});
+  }
   show_top_locked();
 }
 
@@ -75,22 +78,34 @@ void PrimaryOrder::sort(const Scheme& scheme, std::uint64_t version) {
   const std::lock_guard lock(mutex_);
   if (version <= version_) return;
   version_ = version;
-  const auto begin = waiting_.begin() + static_cast<std::ptrdiff_t>(begun_);
   TileSlots slots(scheme, tiles_, rays_.unmade());
-  for (auto tile = begin; tile != waiting_.end(); ++tile) {
-    if (tile->number >= tiles_.coarse_count()) tile->slot = slots.of(tile->number);
+  for (auto& [tiles, begun] : waiting_) {
+    const auto begin = tiles.begin() + static_cast<std::ptrdiff_t>(begun);
+    for (auto tile = begin; tile != tiles.end(); ++tile) {
+      if (tile->number >= tiles_.coarse_count()) tile->slot = slots.of(tile->number);
+    }
+    std::sort(begin, tiles.end(),
+              [](const Tile& a, const Tile& b) { return a.precedes(b) || (!b.precedes(a) && a.number < b.number); });
   }
-  std::sort(begin, waiting_.end(),
-            [](const Tile& a, const Tile& b) { return a.slot != b.slot ? a.slot > b.slot : a.number < b.number; });
   show_top_locked();
 }
 
-bool PrimaryOrder::next(Batch& batch) {
+PrimaryOrder::Waiting* PrimaryOrder::next_locked(std::size_t worker) {
+  Waiting* next = worker < waiting_.size() && waiting_[worker].first() != nullptr ? &waiting_[worker] : nullptr;
+  for (Waiting& waiting : waiting_) {
+    if (waiting.first() == nullptr) continue;
+    if (next == nullptr || waiting.first()->precedes(*next->first())) next = &waiting;
+  }
+  return next;
+}
+
+bool PrimaryOrder::next(std::size_t worker, Batch& batch) {
   batch.rays.clear();
   std::uint32_t tile = 0;
   {
     const std::lock_guard lock(mutex_);
-    if (begun_ == waiting_.size()) {
+    Waiting* const next = next_locked(worker);
+    if (next == nullptr) {
       const auto points = points_.first(std::min(points_.size(), kPointsOfBatch));
       if (points.empty()) return false;
       points_ = points_.subspan(points.size());
@@ -99,7 +114,7 @@ bool PrimaryOrder::next(Batch& batch) {
       for (const auto& point : points) rays_.append(point.x, point.y, point.sample, batch.rays);
       return true;
     }
-    tile = waiting_[begun_++].number;
+    tile = next->tiles[next->begun++].number;
     show_top_locked();
   }
   batch.is_tile = true;
@@ -117,9 +132,10 @@ bool PrimaryOrder::refill() {
 }
 
 void PrimaryOrder::show_top_locked() {
-  const int top = begun_ < waiting_.size() ? static_cast<int>(waiting_[begun_].slot)
-                  : points_.empty()        ? kNoSlot
-                                           : static_cast<int>(kTopSlot);
+  int top = points_.empty() ? kNoSlot : static_cast<int>(kTopSlot);
+  for (const Waiting& waiting : waiting_) {
+    if (const Tile* const tile = waiting.first(); tile != nullptr) top = std::max(top, static_cast<int>(tile->slot));
+  }
   top_.store(top, std::memory_order_relaxed);
 }
 

@@ -19,9 +19,9 @@ namespace firstlight::priority {
 ///
 /// Key      integer in [0, kBuckets); the largest leaves first, equal keys are interchangeable.
 ///          [Yagel & Meeker 1997, section 4]
-///          Of one slot a worker gets the blocks first that it has filled itself: what their rays need is in its caches.
-/// Order    of a version: when the order changes, all that waits becomes stale, and the workers take it out, give it
-/// new
+///          Of one slot a worker gets the blocks first that it has filled itself: what their rays need is in its
+///          caches.
+/// Order    of a version: when the order changes, all that waits becomes stale, and the workers take it out, give it new
 ///          keys and push it again before they trace on.
 /// Cost     push and pop O(1) a block, whatever waits.
 /// Memory   blocks come from `pool` and go back to it. At most one block of a slot is not full.

@@ -3,6 +3,7 @@
 #include "priority/steering.h"
 
 #include <algorithm>
+#include <utility>
 
 namespace firstlight::priority {
 
@@ -80,7 +81,7 @@ bool Worker::primaries_are_next() {
 }
 
 void Worker::trace_primaries() {
-  if (!frame_.primaries().next(primaries_)) return;
+  if (!frame_.primaries().next(number_, primaries_)) return;
   stepper_.step_primary(primaries_.rays.tasks, primaries_.rays.rays);
   frame_.add(stepper_.light(), stepper_.counts(), tally_);
   scheme_->learn(primaries_.rays.tasks, stepper_.light(), stepper_.spawned());
@@ -90,26 +91,24 @@ void Worker::trace_primaries() {
 
 void Worker::trace_blocks(const RayQueue::Popped& popped) {
   frame_.popped(key_of(popped.slot));
+  const bool inverted = is_inverted(popped.slot);
   for (Block* block = popped.block; block != nullptr;) {
     Block* const next = block->next;
     if (frame_.wants_rest()) rest();
     if (frame_.stopped()) return;
-    note_inversion(popped.slot, render::ray_count(block->span()));
-    trace_block(block);
+    const std::uint64_t rays = trace_block(block);
+    if (inverted) inverted_ += rays;
     block = next;
   }
 }
 
-void Worker::note_inversion(Slot slot, std::uint64_t rays) {
-  const auto is_above = [slot](const Shared::Top& top) {
+bool Worker::is_inverted(Slot slot) const {
+  return std::ranges::any_of(shared_.tops, [slot](const Shared::Top& top) {
     return top.slot.load(std::memory_order_relaxed) > static_cast<int>(slot);
-  };
-  if (std::ranges::any_of(shared_.tops, is_above)) {
-    shared_.inverted_rays.fetch_add(rays, std::memory_order_relaxed);
-  }
+  });
 }
 
-void Worker::trace_block(Block* block) {
+std::uint64_t Worker::trace_block(Block* block) {
   const std::uint64_t taken = render::ray_count(block->span());
   for (const render::RayTask& task : block->span()) frame_.expect_light(task);
   stepper_.step(block->span());
@@ -117,27 +116,31 @@ void Worker::trace_block(Block* block) {
   scheme_->learn(block->span(), stepper_.light(), stepper_.spawned());
   open_.release(block);
   keep_spawned(taken);
+  return taken;
 }
 
 // Of two equal slots the queue's block is preferred: it is the fuller one.
 RayQueue::Popped Worker::next_block() {
   if (open_.top_of_full() >= queue_.top()) open_.send_full();
+  show_top(open_.top());
   if (queue_is_long()) {
     const int mine = open_.top(Among::shadows);
-    if (const auto shared = queue_.pop(number_, std::max(mine, 0), Among::shadows, kBlocksAtOnce); shared.block != nullptr) {
+    if (const auto shared = queue_.pop(number_, mine, Among::shadows, kBlocksAtOnce); shared.block != nullptr) {
       return shared;
     }
     if (mine != kNoSlot) return {open_.take(static_cast<Slot>(mine)), static_cast<Slot>(mine)};
   }
   const int mine = open_.top();
   if (queue_.top() >= mine) {
-    if (const auto shared = queue_.pop(number_, mine, Among::all, kBlocksAtOnce); shared.block != nullptr) return shared;
+    if (const auto shared = queue_.pop(number_, mine, Among::all, kBlocksAtOnce); shared.block != nullptr)
+      return shared;
   }
   if (mine != kNoSlot) return {open_.take(static_cast<Slot>(mine)), static_cast<Slot>(mine)};
   open_.send_full();  // others may have taken what came before it
   show_top(kNoSlot);
   report();
-  return queue_.wait_and_pop(number_, [this] { return frame_.primaries().top() != kNoSlot || frame_.primaries().refill(); });
+  return queue_.wait_and_pop(number_,
+                             [this] { return frame_.primaries().top() != kNoSlot || frame_.primaries().refill(); });
 }
 
 // Others look at it all the time, so it is changed only when it has to be.
@@ -166,6 +169,7 @@ void Worker::count_in_queue() {
 
 void Worker::report() {
   count_in_queue();
+  shared_.inverted_rays.fetch_add(std::exchange(inverted_, 0), std::memory_order_relaxed);
   frame_.report(stepper_.counts(), tally_);
 }
 
@@ -174,7 +178,6 @@ void Worker::queue_tasks(std::span<const render::RayTask> tasks) {
   scheme_->keys(tasks, keys_);
   overflow_.clear();
   open_.scatter(tasks, keys_, overflow_);
-  show_top(open_.top());
   if (overflow_.empty()) return;
   count(0, render::ray_count(overflow_));
   depth_first_.run(overflow_);

@@ -23,7 +23,8 @@ struct Shared {
         samples(static_cast<double>(samples_of_picture)),
         tops(static_cast<std::size_t>(options.threads)) {}
 
-  /// The highest slot of a worker's open blocks; on a line of its own, for that worker changes it all the time.
+  /// The highest slot of a worker's open blocks when it last looked for work; on a line of its own, for it changes
+  /// often.
   struct alignas(64) Top {
     std::atomic<int> slot = kNoSlot;
   };
@@ -59,8 +60,10 @@ class Worker {
   bool primaries_are_next();
   void trace_primaries();
   void trace_blocks(const RayQueue::Popped& popped);
-  void trace_block(Block* block);
-  void note_inversion(Slot slot, std::uint64_t rays);
+  /// Returns how many rays it had.
+  std::uint64_t trace_block(Block* block);
+  /// Whether more important rays wait in others' open blocks.
+  bool is_inverted(Slot slot) const;
   RayQueue::Popped next_block();
   void show_top(int slot);
   /// Queues what the last step spawned; `taken` rays had left the queue for it.
@@ -93,6 +96,7 @@ class Worker {
   std::int64_t change_ = 0;
   std::int64_t highest_ = 0;
   int batches_ = 0;
+  std::uint64_t inverted_ = 0;  // rays traced before more important ones, not reported yet
 };
 
 }  // namespace firstlight::priority

@@ -18,19 +18,34 @@ void Film::expect(std::int64_t most, std::int64_t least) {
   for (std::uint32_t i = 0; i < pixels(); ++i) samples_[i].outstanding.store(most, std::memory_order_relaxed);
 }
 
-// Adding takes a thread a fiftieth of its time, so few threads seldom meet at one lock. Four atomic additions a
-// contribution would cost several times what a lock a batch does.
-void Film::add(std::span<const Contribution> contributions, int threads) {
-  constexpr int kThreadsAtOneLock = 4;
-  if (threads <= 1) return add_plainly(contributions);
-  if (threads <= kThreadsAtOneLock) {
-    const tbb::spin_mutex::scoped_lock lock(locks_[0].mutex);
-    return add_plainly(contributions);
+void Film::deal_out(int threads) {
+  constexpr std::size_t kBands = 4;      // of each thread, so that all get some of what is hard
+  constexpr std::size_t kRows = 16;      // of a band, at least and as a multiple: primary rays come in tiles of so many
+  constexpr std::size_t kRanges = 4096;  // few enough to stay in the nearest cache
+  threads_ = std::clamp<std::size_t>(static_cast<std::size_t>(threads), 1, kMostOwners);
+  const std::size_t rows =
+      std::max<std::size_t>(static_cast<std::size_t>(height_) / (kBands * threads_ * kRows), 1) * kRows;
+  const std::size_t band = rows * static_cast<std::size_t>(width_);
+  range_shift_ = static_cast<std::uint32_t>(std::bit_width((lit_.size() - 1) / kRanges));
+  owners_.resize(((lit_.size() - 1) >> range_shift_) + 1);
+  for (std::size_t range = 0; range < owners_.size(); ++range) {
+    owners_[range] = static_cast<std::uint8_t>((range << range_shift_) / band % threads_);
   }
-  const auto stripes = std::min<std::uint32_t>(std::bit_ceil(static_cast<std::uint32_t>(threads)), kStripes);
+}
+
+// Four atomic additions a contribution would cost several times what a lock a batch does.
+void Film::add(std::span<const Contribution> contributions) {
+  if (threads_ == 1) return add_plainly(contributions);
   while (!contributions.empty()) {
+    const std::size_t owner = owner_of(contributions.front().sample);
+    const auto other =
+        std::ranges::find_if(contributions, [&](const Contribution& c) { return owner_of(c.sample) != owner; });
+    if (other == contributions.end()) {
+      const tbb::spin_mutex::scoped_lock lock(locks_[owner].mutex);
+      return add_plainly(contributions);
+    }
     const auto part = contributions.first(std::min(contributions.size(), kMostAtOnce));
-    add_by_stripes(part, stripes);
+    add_by_owners(part);
     contributions = contributions.subspan(part.size());
   }
 }
@@ -50,20 +65,19 @@ void Film::add_plainly(const Contribution& contribution) {
   add(sample.outstanding, contribution.outstanding);
 }
 
-void Film::add_by_stripes(std::span<const Contribution> contributions, std::uint32_t stripes) {
-  const auto stripe_of = [stripes](const Contribution& c) { return c.sample >> 12 & (stripes - 1); };
-  std::array<std::uint16_t, kStripes + 1> end{};  // in `order`, first of the stripe before, then of the stripe itself
-  for (const Contribution& contribution : contributions) ++end[stripe_of(contribution) + 1];
+void Film::add_by_owners(std::span<const Contribution> contributions) {
+  std::array<std::uint16_t, kMostOwners + 1> end{};  // in `order`, first of the owner before, then of the owner itself
+  for (const Contribution& contribution : contributions) ++end[owner_of(contribution.sample) + 1];
   std::partial_sum(end.begin(), end.end(), end.begin());
   std::array<std::uint16_t, kMostAtOnce> order;
   for (std::size_t i = 0; i < contributions.size(); ++i) {
-    order[end[stripe_of(contributions[i])]++] = static_cast<std::uint16_t>(i);
+    order[end[owner_of(contributions[i].sample)]++] = static_cast<std::uint16_t>(i);
   }
   std::size_t begin = 0;
-  for (std::size_t stripe = 0; stripe < stripes; ++stripe) {
-    if (begin == end[stripe]) continue;
-    const tbb::spin_mutex::scoped_lock lock(locks_[stripe].mutex);
-    for (; begin < end[stripe]; ++begin) add_plainly(contributions[order[begin]]);
+  for (std::size_t owner = 0; owner < threads_; ++owner) {
+    if (begin == end[owner]) continue;
+    const tbb::spin_mutex::scoped_lock lock(locks_[owner].mutex);
+    for (; begin < end[owner]; ++begin) add_plainly(contributions[order[begin]]);
   }
 }
 

@@ -32,8 +32,16 @@ class Film {
   void expect(std::int64_t most) { expect(most, -most); }
   /// The same where no sample ends below `least`.
   void expect(std::int64_t most, std::int64_t least);
-  /// `threads`: how many may add at the same time.
-  void add(std::span<const Contribution> contributions, int threads);
+  /// Deals the samples out among `threads` that will add at the same time, one if this is never called: bands of rows,
+  /// turn by turn. Anyone may add to any sample, but who keeps to its own meets no other thread there, neither at a
+  /// lock nor in a cache. Pre: nobody adds meanwhile.
+  void deal_out(int threads);
+  /// The thread that a sample was dealt to, from 0.
+  std::size_t owner_of(std::uint32_t sample) const {
+    const std::size_t range = sample >> range_shift_;
+    return range < owners_.size() ? owners_[range] : range % threads_;
+  }
+  void add(std::span<const Contribution> contributions);
   /// Asks the processor to have the sample's sums at hand, for they lie anywhere in memory.
   void fetch(std::uint32_t sample) const { __builtin_prefetch(&samples_[sample], 1); }
   /// The light of the primary ray of `sample` is on the film.
@@ -92,16 +100,14 @@ class Film {
     }
   };
 
-  /// Samples whose sums one thread at a time changes: some rows of the picture.
-  struct alignas(64) Stripe {
+  struct alignas(64) Lock {
     tbb::spin_mutex mutex;
   };
-  static constexpr std::size_t kStripes = 64;
+  static constexpr std::size_t kMostOwners = 64;  ///< threads beyond them share
   static constexpr std::size_t kMostAtOnce = 1024;
   void add_plainly(std::span<const Contribution> contributions);
   void add_plainly(const Contribution& contribution);
-  /// `stripes`: a power of two, at most kStripes.
-  void add_by_stripes(std::span<const Contribution> contributions, std::uint32_t stripes);
+  void add_by_owners(std::span<const Contribution> contributions);
 
   std::size_t index(int x, int y) const {
     return static_cast<std::size_t>(y) * static_cast<std::size_t>(width_) + static_cast<std::size_t>(x);
@@ -118,7 +124,10 @@ class Film {
   int width_;
   int height_;
   std::vector<Sample> samples_;
-  std::array<Stripe, kStripes> locks_;
+  std::size_t threads_ = 1;
+  std::uint32_t range_shift_ = 0;     ///< samples are dealt out in ranges of 2^range_shift_
+  std::vector<std::uint8_t> owners_;  ///< of each range of the pixels
+  std::array<Lock, kMostOwners> locks_;
   std::vector<std::atomic<std::uint8_t>> lit_;
   std::int64_t most_ = 0;   // that a sample can end with
   std::int64_t least_ = 0;  // the same from below

@@ -41,36 +41,38 @@ PrimaryTiles::PrimaryTiles(int width, int height, double offset, Order order)
   }
 }
 
-int PrimaryTiles::stride_of(std::uint32_t tile) const {
+PrimaryTiles::Place PrimaryTiles::place_of(std::uint32_t tile) const {
   auto level = levels_.begin();
   for (; tile >= level->tiles(); ++level) tile -= level->tiles();
-  return level->stride;
+  const int side = kTileSize * level->stride;
+  return {&*level, static_cast<int>(tile % level->columns) * side, static_cast<int>(tile / level->columns) * side};
+}
+
+int PrimaryTiles::stride_of(std::uint32_t tile) const { return place_of(tile).level->stride; }
+
+std::uint32_t PrimaryTiles::corner_of(std::uint32_t tile) const {
+  const Place place = place_of(tile);
+  return sample_at(place.x, place.y);
 }
 
 template <class Visit>
 void PrimaryTiles::for_each_pixel(std::uint32_t tile, const Visit& visit) const {
-  auto level = levels_.begin();
-  for (; tile >= level->tiles(); ++level) tile -= level->tiles();
+  const auto [level, x0, y0] = place_of(tile);
   const int stride = level->stride;
   const int side = kTileSize * stride;
-  const int x0 = static_cast<int>(tile % level->columns) * side;
-  const int y0 = static_cast<int>(tile / level->columns) * side;
   // A square begins on the grid before, of whose points every second one of every second row is on it.
   for (int y = y0; y < std::min(y0 + side, height_); y += stride) {
     const bool has_points_before = !level->first && ((y - y0) & stride) == 0;
     const int first = has_points_before ? x0 + stride : x0;
     for (int x = first; x < std::min(x0 + side, width_); x += has_points_before ? 2 * stride : stride) {
-      const auto sample =
-          static_cast<std::uint32_t>(y) * static_cast<std::uint32_t>(width_) + static_cast<std::uint32_t>(x);
-      visit(x, y, sample);
+      visit(x, y, sample_at(x, y));
     }
   }
 }
 
 void PrimaryTiles::fill(std::uint32_t tile, const PrimaryRays& rays, PrimaryBatch& batch) const {
-  for_each_pixel(tile, [&](int x, int y, std::uint32_t sample) {
-    rays.append(x + offset_, y + offset_, sample, batch);
-  });
+  for_each_pixel(tile,
+                 [&](int x, int y, std::uint32_t sample) { rays.append(x + offset_, y + offset_, sample, batch); });
 }
 
 void PrimaryTiles::append_samples(std::uint32_t tile, std::vector<std::uint32_t>& samples) const {

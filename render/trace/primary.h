@@ -61,6 +61,8 @@ class PrimaryTiles {
   std::uint32_t coarse_count() const { return levels_.front().tiles(); }
   /// Pixels between the points of the grid that a tile is of. Pre: tile < count().
   int stride_of(std::uint32_t tile) const;
+  /// The sample of the tile's upper left pixel. Pre: as above.
+  std::uint32_t corner_of(std::uint32_t tile) const;
   /// Appends the rays of the tile's pixels, row by row. Pre: tile < count(), sizes as given above.
   void fill(std::uint32_t tile, const PrimaryRays& rays, PrimaryBatch& batch) const;
   /// Appends the samples of those rays. Pre: as for fill().
@@ -74,6 +76,15 @@ class PrimaryTiles {
     std::uint32_t rows;
     std::uint32_t tiles() const { return columns * rows; }
   };
+  struct Place {
+    const Level* level;
+    int x;  ///< of the upper left pixel
+    int y;
+  };
+  Place place_of(std::uint32_t tile) const;
+  std::uint32_t sample_at(int x, int y) const {
+    return static_cast<std::uint32_t>(y) * static_cast<std::uint32_t>(width_) + static_cast<std::uint32_t>(x);
+  }
   /// Calls visit(x, y, sample) for each pixel of the tile.
   template <class Visit>
   void for_each_pixel(std::uint32_t tile, const Visit& visit) const;

@@ -214,7 +214,8 @@ TEST(RayQueue, AWaitingWorkerGetsWhatAnotherPushesAndBothEnd) {
   const auto queue = std::make_unique<RayQueue>(pool, 2);
   std::uint32_t received = 0;
   std::jthread other([&] {
-    for (auto popped = queue->wait_and_pop(0, no_more); popped.block != nullptr; popped = queue->wait_and_pop(0, no_more)) {
+    for (auto popped = queue->wait_and_pop(0, no_more); popped.block != nullptr;
+         popped = queue->wait_and_pop(0, no_more)) {
       received += popped.block->count;
       pool.release(popped.block);
     }
@@ -223,7 +224,8 @@ TEST(RayQueue, AWaitingWorkerGetsWhatAnotherPushesAndBothEnd) {
   block->count = 3;
   queue->push(std::array{RayQueue::Filled{7, block}}, kVersion, 0);
   std::uint32_t own = 0;
-  for (auto popped = queue->wait_and_pop(0, no_more); popped.block != nullptr; popped = queue->wait_and_pop(0, no_more)) {
+  for (auto popped = queue->wait_and_pop(0, no_more); popped.block != nullptr;
+       popped = queue->wait_and_pop(0, no_more)) {
     own += popped.block->count;
   }
   other.join();

@@ -55,7 +55,7 @@ inline Painting noise(unsigned seed) {
 inline void expose(Film& film, const Painting& painting, std::span<const SamplePoint> points, std::int64_t expected) {
   for (const SamplePoint& point : points) {
     const Contribution light{point.sample, FixedRgb::from(painting(point.x, point.y)), -expected};
-    film.add(std::span(&light, 1), true);
+    film.add(std::span(&light, 1));
     film.mark_lit(point.sample);
   }
 }

@@ -25,10 +25,10 @@ std::vector<Contribution> random_light(std::uint32_t samples, std::size_t count)
 TEST(Film, SumsDoNotDependOnTheOrder) {
   std::vector<Contribution> light = random_light(6, 5000);
   Film forwards(3, 2);
-  forwards.add(light, 1);
+  forwards.add(light);
   std::reverse(light.begin(), light.end());
   Film backwards(3, 2);
-  backwards.add(light, 1);
+  backwards.add(light);
   EXPECT_EQ(forwards.snapshot(), backwards.snapshot());
 }
 
@@ -37,42 +37,59 @@ TEST(Film, ThreadsAddToTheSameSums) {
   constexpr int kHeight = 128;
   const std::vector<Contribution> light = random_light(kWidth * kHeight, 100'000);
   Film alone(kWidth, kHeight);
-  alone.add(light, 1);
+  alone.add(light);
   for (const int threads : {2, 5, 100}) {
     Film shared(kWidth, kHeight);
+    shared.deal_out(threads);
     const std::size_t half = light.size() / 2;
-    std::thread other([&] { shared.add(std::span(light).first(half), threads); });
-    shared.add(std::span(light).subspan(half), threads);
+    std::thread other([&] { shared.add(std::span(light).first(half)); });
+    shared.add(std::span(light).subspan(half));
     other.join();
     EXPECT_EQ(alone.snapshot(), shared.snapshot()) << threads;
+  }
+}
+
+TEST(Film, DealsBandsOfRowsOutAmongThreads) {
+  constexpr int kWidth = 300;
+  constexpr int kHeight = 200;
+  for (const int threads : {1, 2, 3, 12}) {
+    Film film(kWidth, kHeight);
+    film.deal_out(threads);
+    std::vector<int> dealt(static_cast<std::size_t>(threads));
+    int changes = 0;
+    for (std::uint32_t sample = 0; sample < film.pixels(); ++sample) {
+      ASSERT_LT(film.owner_of(sample), dealt.size());
+      ++dealt[film.owner_of(sample)];
+      changes += sample > 0 && film.owner_of(sample) != film.owner_of(sample - 1) ? 1 : 0;
+    }
+    EXPECT_GT(*std::ranges::min_element(dealt), static_cast<int>(film.pixels()) / threads / 2) << threads;
+    EXPECT_LE(changes, kHeight / 16) << threads;
   }
 }
 
 TEST(Film, TakingBackWhatWasAddedLeavesNothing) {
   Film film(1, 1);
   const Rgb light(0.1f, 1.0f / 3.0f, 1e-7f);
-  film.add(std::vector<Contribution>{{0, FixedRgb::from(light)}, {0, FixedRgb::from(-light)}}, 1);
+  film.add(std::vector<Contribution>{{0, FixedRgb::from(light)}, {0, FixedRgb::from(-light)}});
   EXPECT_EQ(film.color(0, 0), Rgb(0.0f));
 }
 
 TEST(Film, SampleNumbersRunAlongRowsFromTheTop) {
   Film film(3, 2);
-  film.add(std::vector<Contribution>{{4, FixedRgb::from(Rgb(0.5f))}}, 1);
+  film.add(std::vector<Contribution>{{4, FixedRgb::from(Rgb(0.5f))}});
   EXPECT_EQ(film.color(1, 1), Rgb(0.5f));
   EXPECT_EQ(film.color(1, 0), Rgb(0.0f));
 }
 
 TEST(Film, NotANumberAddsNothing) {
   Film film(1, 1);
-  film.add(std::vector<Contribution>{{0, FixedRgb::from({std::numeric_limits<float>::quiet_NaN(), 0.25f, 0.5f})}},
-           true);
+  film.add(std::vector<Contribution>{{0, FixedRgb::from({std::numeric_limits<float>::quiet_NaN(), 0.25f, 0.5f})}});
   EXPECT_EQ(film.color(0, 0), Rgb(0.0f, 0.25f, 0.5f));
 }
 
 TEST(Film, EnormousLightIsCutNotWrapped) {
   Film film(1, 1);
-  film.add(std::vector<Contribution>{{0, FixedRgb::from({std::numeric_limits<float>::infinity(), -1e30f, 1.0f})}},
-           true);
+  film.add(std::vector<Contribution>{{0, FixedRgb::from({std::numeric_limits<float>::infinity(), -1e30f, 1.0f})}});
   EXPECT_EQ(film.color(0, 0), Rgb(16777216.0f, -16777216.0f, 1.0f));
 }
 
@@ -81,8 +98,7 @@ TEST(Film, WithAntiAliasingAPixelIsCompleteOnlyWhenSaidSo) {
   const std::int64_t most = FixedRgb::from(Rgb(3.0f)).r;
   film.expect(most, 0);
   film.begin_refinement(8);
-  film.add(std::vector<Contribution>{{0, FixedRgb::from(Rgb(1.0f)), -most}, {1, FixedRgb::from(Rgb(0.5f)), -most}},
-           true);
+  film.add(std::vector<Contribution>{{0, FixedRgb::from(Rgb(1.0f)), -most}, {1, FixedRgb::from(Rgb(0.5f)), -most}});
   EXPECT_EQ(film.outstanding(0, 0), 2.0);  // between 0 and 3
   EXPECT_EQ(film.outstanding(1, 0), 2.5);
   film.settle(0);
@@ -99,20 +115,20 @@ TEST(Film, APixelInRefinementShowsTheMeanOfWhatIsComplete) {
   const std::int64_t most = FixedRgb::from(Rgb(2.0f)).r;
   film.expect(most, 0);
   film.begin_refinement(2);
-  film.add(std::vector<Contribution>{{0, FixedRgb::from(Rgb(1.0f)), -most}}, 1);
+  film.add(std::vector<Contribution>{{0, FixedRgb::from(Rgb(1.0f)), -most}});
   film.begin_samples(std::vector<std::uint32_t>{0, 0});
   film.average(0, 1, 2);
   EXPECT_EQ(film.color(0, 0), Rgb(1.0f));
   EXPECT_EQ(film.outstanding(0, 0), 1.0);
-  film.add(std::vector<Contribution>{{1, FixedRgb::from(Rgb(0.5f)), -most}}, 1);
+  film.add(std::vector<Contribution>{{1, FixedRgb::from(Rgb(0.5f)), -most}});
   EXPECT_EQ(film.color(0, 0), Rgb(0.75f));
   // The third sample ends between 0 and 2, and so the mean between 1.5 / 3 and 3.5 / 3.
   EXPECT_GE(film.outstanding(0, 0), 3.5 / 3 - 0.75);
   EXPECT_LE(film.outstanding(0, 0), 1.25);
   // Half traced, it is not shown.
-  film.add(std::vector<Contribution>{{2, FixedRgb::from(Rgb(0.25f)), -most / 2}}, 1);
+  film.add(std::vector<Contribution>{{2, FixedRgb::from(Rgb(0.25f)), -most / 2}});
   EXPECT_EQ(film.color(0, 0), Rgb(0.75f));
-  film.add(std::vector<Contribution>{{2, FixedRgb::from(Rgb(1.25f)), -most / 2}}, 1);
+  film.add(std::vector<Contribution>{{2, FixedRgb::from(Rgb(1.25f)), -most / 2}});
   EXPECT_EQ(film.color(0, 0), Rgb(1.0f));
   EXPECT_EQ(film.outstanding(0, 0), 0.0);
 }
@@ -121,7 +137,7 @@ TEST(Film, SamplesBeyondThePixelsBeginAnew) {
   Film film(2, 1);
   film.begin_refinement(2);
   film.begin_samples(std::vector<std::uint32_t>{1, 0});
-  film.add(std::vector<Contribution>{{2, FixedRgb::from(Rgb(1.0f))}, {3, FixedRgb::from(Rgb(2.0f))}}, 1);
+  film.add(std::vector<Contribution>{{2, FixedRgb::from(Rgb(1.0f))}, {3, FixedRgb::from(Rgb(2.0f))}});
   film.mark_lit(3);
   EXPECT_EQ(film.sample_color(3), Rgb(2.0f));
   EXPECT_EQ(film.pixel_of(2), 1u);

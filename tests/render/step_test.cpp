@@ -79,7 +79,7 @@ class TestScene {
       const RayTask next = waiting.back();
       waiting.pop_back();
       stepper.step({&next, 1});
-      film.add(stepper.light(), 1);
+      film.add(stepper.light());
       waiting.insert(waiting.end(), stepper.spawned().begin(), stepper.spawned().end());
     }
     counts = stepper.counts();
@@ -257,7 +257,7 @@ TEST(Step, BatchesDoNotShowInThePicture) {
       const std::vector<RayTask> tasks(waiting.end() - static_cast<std::ptrdiff_t>(count), waiting.end());
       waiting.resize(waiting.size() - count);
       stepper.step(tasks);
-      film.add(stepper.light(), 1);
+      film.add(stepper.light());
       waiting.insert(waiting.end(), stepper.spawned().begin(), stepper.spawned().end());
     }
     return film.snapshot();
