@@ -30,13 +30,14 @@ constexpr double kLongQueue = 4.5;
 /// Tasks of which one is learnt from: neighbours tell much the same, and learning takes time.
 constexpr std::size_t kLearnOneOf = 32;
 
-constexpr LogScale kScale(-30, 10, 4);
+/// Half an octave a key: finer ones converge no faster, and leave more blocks half empty.
+constexpr LogScale kScale(-30, 10, 1);
 
 /// The more a ray can be expected to change the picture for what it costs, the earlier it leaves. Of a record of
 /// feelers this is the light at stake times the share of feelers that are blocked thereabouts, for each feeler; of
 /// another ray its weight times the light that such rays bring.
 ///
-/// Order    learnt while rendering: the same task may get another key later. Keys are a sixteenth of an octave wide.
+/// Order    learnt while rendering: the same task may get another key later.
 /// Source   Yagel & Meeker 1997, section 4, "contribution", which takes the weight alone.
 class Contribution final : public Scheme {
  public:

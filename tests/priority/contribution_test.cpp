@@ -23,14 +23,17 @@ Key key_by_contribution(const RayTask& of) { return key_of(*scheme_of("contribut
 TEST(Contribution, ALargerWeightLeavesFirst) {
   float weight = 1e-6f;
   for (int step = 0; step < 200; ++step, weight *= 1.07f) {
-    EXPECT_LT(key_by_contribution(task(RayKind::reflection, weight)),
+    EXPECT_LE(key_by_contribution(task(RayKind::reflection, weight)),
               key_by_contribution(task(RayKind::reflection, weight * 1.07f)))
+        << weight;
+    EXPECT_LT(key_by_contribution(task(RayKind::reflection, weight)),
+              key_by_contribution(task(RayKind::reflection, weight * 1.5f)))
         << weight;
   }
 }
 
-TEST(Contribution, HasSixteenKeysToAnOctave) {
-  EXPECT_EQ(key_by_contribution(task(RayKind::shadow, 0.25f)) + 16, key_by_contribution(task(RayKind::shadow, 0.5f)));
+TEST(Contribution, HasTwoKeysToAnOctave) {
+  EXPECT_EQ(key_by_contribution(task(RayKind::shadow, 0.25f)) + 2, key_by_contribution(task(RayKind::shadow, 0.5f)));
 }
 
 TEST(Contribution, CountsTheLightAtStakeForEachFeelerWhateverItsSign) {
@@ -57,8 +60,8 @@ TEST(Contribution, LearnsWhereFeelersAreBlocked) {
   }
   const Key before = key_of(*scheme, tasks[0]);
   scheme->learn(tasks, light, {});
-  EXPECT_GT(key_of(*scheme, tasks[0]), before + 8);
-  EXPECT_LT(key_of(*scheme, tasks[48]), before - 16);
+  EXPECT_GT(key_of(*scheme, tasks[0]), before + 1);
+  EXPECT_LT(key_of(*scheme, tasks[48]), before - 2);
   EXPECT_EQ(key_of(*scheme, task(RayKind::shadow, 0.5f, 1, 50, 70)), before) << "elsewhere nothing is known";
 }
 
