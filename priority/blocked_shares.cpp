@@ -11,7 +11,7 @@ using render::PackedRgb;
 using render::RayTask;
 
 constexpr float kBefore = 0.4f;  ///< share of blocked feelers where nothing is known
-constexpr float kTrust = 4.0f;   ///< feelers that it takes to believe something else
+constexpr float kTrust = 1.0f;   ///< feelers that it takes to believe something else
 
 double size_of(const FixedRgb& light) { return FixedRgb::to_double(light.max_magnitude()); }
 

@@ -21,8 +21,8 @@ using render::RayTask;
 constexpr float kRayShare = 0.08f;
 /// Nothing is known of a primary ray when its turn is decided. A small gain lets the coarse pixels be nearly finished
 /// before the finest begin, as the preview fills those meanwhile; and it keeps the queue short, for memory's first
-/// touch costs more time than the order gains: with 0.01 the queue is twice as long.
-constexpr float kPrimaryGain = 0.004f;
+/// touch costs more time than the order gains: with 0.005 the queue is twice as long.
+constexpr float kPrimaryGain = 0.003f;
 
 /// Waiting rays a pixel beyond which feelers come first, so that the queue grows no longer where feelers are many.
 constexpr double kLongQueue = 4.5;
@@ -32,6 +32,9 @@ constexpr std::size_t kLearnOneOf = 32;
 
 /// Half an octave a key: finer ones converge no faster, and leave more blocks half empty.
 constexpr LogScale kScale(-30, 10, 1);
+/// Feelers have every fourth key only, the lowest of four: those whose ends are not foreseen are few, and would be a few
+/// in a block.
+constexpr Key kKeysOfFeelers = 4;
 
 /// The more a ray can be expected to change the picture for what it costs, the earlier it leaves. Of a record of
 /// feelers this is the light at stake times the share of feelers that are blocked thereabouts, for each feeler; of
@@ -45,7 +48,10 @@ class Contribution final : public Scheme {
       : cells_(input), blocked_(cells_, input.scene->lights.size()), gains_(cells_) {}
 
   void keys(std::span<const RayTask> tasks, std::span<Key> keys) const override {
-    for (std::size_t i = 0; i < tasks.size(); ++i) keys[i] = kScale.of(gain(tasks[i]));
+    for (std::size_t i = 0; i < tasks.size(); ++i) {
+      keys[i] = kScale.of(gain(tasks[i]));
+      if (tasks[i].kind == RayKind::shadow) keys[i] -= keys[i] % kKeysOfFeelers;
+    }
   }
   Key key_count() const override { return kScale.count(); }
   bool tells_pixels_apart() const override { return false; }

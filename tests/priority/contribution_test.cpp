@@ -32,8 +32,11 @@ TEST(Contribution, ALargerWeightLeavesFirst) {
   }
 }
 
-TEST(Contribution, HasTwoKeysToAnOctave) {
-  EXPECT_EQ(key_by_contribution(task(RayKind::shadow, 0.25f)) + 2, key_by_contribution(task(RayKind::shadow, 0.5f)));
+TEST(Contribution, HasTwoKeysToAnOctaveAndForFeelersOneToTwo) {
+  EXPECT_EQ(key_by_contribution(task(RayKind::reflection, 0.25f)) + 2,
+            key_by_contribution(task(RayKind::reflection, 0.5f)));
+  EXPECT_EQ(key_by_contribution(task(RayKind::shadow, 0.125f)) + 4, key_by_contribution(task(RayKind::shadow, 0.5f)));
+  EXPECT_EQ(key_by_contribution(task(RayKind::shadow, 0.25f)) % 4, 0u);
 }
 
 TEST(Contribution, CountsTheLightAtStakeForEachFeelerWhateverItsSign) {
