@@ -12,12 +12,6 @@ Film::Film(int width, int height)
       samples_(static_cast<std::size_t>(width) * static_cast<std::size_t>(height)),
       lit_(samples_.size()) {}
 
-void Film::expect(std::int64_t most, std::int64_t least) {
-  most_ = most;
-  least_ = least;
-  for (std::uint32_t i = 0; i < pixels(); ++i) samples_[i].outstanding.store(most, std::memory_order_relaxed);
-}
-
 void Film::deal_out(int threads) {
   constexpr std::size_t kBands = 4;      // of each thread, so that all get some of what is hard
   constexpr std::size_t kRows = 16;      // of a band, at least and as a multiple: primary rays come in tiles of so many
@@ -62,7 +56,7 @@ void Film::add_plainly(const Contribution& contribution) {
   add(sample.r, contribution.light.r);
   add(sample.g, contribution.light.g);
   add(sample.b, contribution.light.b);
-  add(sample.outstanding, contribution.outstanding);
+  add(sample.change, contribution.outstanding);
 }
 
 void Film::add_by_owners(std::span<const Contribution> contributions) {
@@ -114,7 +108,7 @@ double Film::outstanding(int x, int y) const {
     case State::first_sample:
       break;
   }
-  return FixedRgb::to_double(samples_[pixel].outstanding.load(std::memory_order_relaxed));
+  return FixedRgb::to_double(sample_outstanding(pixel));
 }
 
 double Film::most_change(const Rgb& color) const {
@@ -129,7 +123,7 @@ Rgb Film::mean_so_far(std::uint32_t pixel) const {
   const std::uint32_t first = first_of_mean_[pixel];
   const std::uint32_t samples = count_of_mean_.load(std::memory_order_relaxed);
   for (std::uint32_t sample = first; sample < first + samples; ++sample) {
-    if (samples_[sample].outstanding.load(std::memory_order_relaxed) != 0) continue;
+    if (sample_outstanding(sample) != 0) continue;
     sum += sample_color(sample);
     ++count;
   }
@@ -144,7 +138,7 @@ double Film::most_change_of_mean(std::uint32_t pixel) const {
   const std::uint32_t first = first_of_mean_[pixel];
   const std::uint32_t samples = count_of_mean_.load(std::memory_order_relaxed);
   for (std::uint32_t sample = first; sample < first + samples; ++sample) {
-    outstanding = FixedRgb::sum(outstanding, samples_[sample].outstanding.load(std::memory_order_relaxed));
+    outstanding = FixedRgb::sum(outstanding, sample_outstanding(sample));
     sum += sample_color(sample);
   }
   if (outstanding == 0) return 0.0;
@@ -172,15 +166,13 @@ void Film::begin_refinement(std::uint32_t room) {
   refined_ = std::vector<Refined>(pixels);
   first_of_mean_.resize(pixels);
   pixel_of_more_.resize(room);
-  expect(most_, least_);
 }
 
 void Film::begin_samples(std::span<const std::uint32_t> pixels) {
   std::ranges::copy(pixels, pixel_of_more_.begin());
   for (std::size_t i = 0; i < pixels.size(); ++i) {
     Sample& sample = samples_[lit_.size() + i];
-    for (auto* const sum : {&sample.r, &sample.g, &sample.b}) sum->store(0, std::memory_order_relaxed);
-    sample.outstanding.store(most_, std::memory_order_relaxed);
+    for (auto* const sum : {&sample.r, &sample.g, &sample.b, &sample.change}) sum->store(0, std::memory_order_relaxed);
   }
 }
 

@@ -31,7 +31,10 @@ class Film {
   /// To be called before anything is added: each sample's primary ray can bring `most` at most, in steps of FixedRgb.
   void expect(std::int64_t most) { expect(most, -most); }
   /// The same where no sample ends below `least`.
-  void expect(std::int64_t most, std::int64_t least);
+  void expect(std::int64_t most, std::int64_t least) {
+    most_ = most;
+    least_ = least;
+  }
   /// Deals the samples out among `threads` that will add at the same time, one if this is never called: bands of rows,
   /// turn by turn. Anyone may add to any sample, but who keeps to its own meets no other thread there, neither at a
   /// lock nor in a cache. Pre: nobody adds meanwhile.
@@ -86,7 +89,7 @@ class Film {
     std::atomic<std::int64_t> r = 0;
     std::atomic<std::int64_t> g = 0;
     std::atomic<std::int64_t> b = 0;
-    std::atomic<std::int64_t> outstanding = 0;
+    std::atomic<std::int64_t> change = 0;  ///< of the most that may still come, most_ at first
   };
   enum class State : std::uint8_t { first_sample, undecided, averaged, refined };
   struct Refined {
@@ -111,6 +114,9 @@ class Film {
 
   std::size_t index(int x, int y) const {
     return static_cast<std::size_t>(y) * static_cast<std::size_t>(width_) + static_cast<std::size_t>(x);
+  }
+  std::int64_t sample_outstanding(std::uint32_t sample) const {
+    return FixedRgb::sum(most_, samples_[sample].change.load(std::memory_order_relaxed));
   }
   State state(std::size_t pixel) const {
     return states_.empty() ? State::first_sample : states_[pixel].load(std::memory_order_acquire);
