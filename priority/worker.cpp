@@ -82,6 +82,7 @@ bool Worker::primaries_are_next() {
 
 void Worker::trace_primaries() {
   if (!frame_.primaries().next(number_, primaries_)) return;
+  for (const render::RayTask& task : primaries_.rays.tasks) frame_.expect_light(task);
   stepper_.step_primary(primaries_.rays.tasks, primaries_.rays.rays);
   frame_.add(stepper_.light(), stepper_.counts(), tally_);
   scheme_->learn(primaries_.rays.tasks, stepper_.light(), stepper_.spawned());
