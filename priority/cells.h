@@ -30,7 +30,7 @@ class Cells {
   std::size_t squares(int length) const { return (static_cast<std::size_t>(std::max(length, 1)) >> shift_) + 1; }
 
   Pixels pixels_;
-  int shift_ = 4;
+  int shift_ = 5;
   std::size_t columns_ = 0;
   std::size_t count_ = 0;
 };
