@@ -22,8 +22,8 @@ namespace firstlight::priority {
 ///
 /// Order    The coarsest grid first, whatever the scheme: without it there is nothing to look at. Then tiles by the key
 ///          that the scheme gives their rays, equal ones from coarse to fine; of those that are equally coarse, too, a
-///          worker gets its own first (Film::owner_of). Extra samples for anti-aliasing come when
-///          everything else is done, as they need the finished colours.
+///          worker gets its own first (Film::owner_of). Extra samples for anti-aliasing come when everything else is
+///          done, as they need the finished colours.
 /// Threads  All members may be called from any thread; a lock a tile.
 class PrimaryOrder {
  public:

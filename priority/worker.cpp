@@ -126,15 +126,14 @@ RayQueue::Popped Worker::next_block() {
   show_top(open_.top());
   if (queue_is_long()) {
     const int mine = open_.top(Among::shadows);
-    if (const auto shared = queue_.pop(number_, mine, Among::shadows, kBlocksAtOnce); shared.block != nullptr) {
-      return shared;
-    }
+    const auto shared = queue_.pop(number_, mine, Among::shadows, kBlocksAtOnce);
+    if (shared.block != nullptr) return shared;
     if (mine != kNoSlot) return {open_.take(static_cast<Slot>(mine)), static_cast<Slot>(mine)};
   }
   const int mine = open_.top();
   if (queue_.top() >= mine) {
-    if (const auto shared = queue_.pop(number_, mine, Among::all, kBlocksAtOnce); shared.block != nullptr)
-      return shared;
+    const auto shared = queue_.pop(number_, mine, Among::all, kBlocksAtOnce);
+    if (shared.block != nullptr) return shared;
   }
   if (mine != kNoSlot) return {open_.take(static_cast<Slot>(mine)), static_cast<Slot>(mine)};
   open_.send_full();  // others may have taken what came before it

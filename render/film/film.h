@@ -103,6 +103,7 @@ class Film {
     }
   };
 
+  /// Held while samples of one owner change.
   struct alignas(64) Lock {
     tbb::spin_mutex mutex;
   };
