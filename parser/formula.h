@@ -18,8 +18,7 @@ class Interpreter;
 /// is analysed once and only evaluated from then on.
 ///
 /// Meaning  It stands for the expression as long as all its names are numbers or vectors when it is evaluated; whether
-/// a
-///          name is a macro, say, can differ from turn to turn, so this is to be checked each time. Expressions with
+///          a name is a macro, say, can differ from turn to turn, so this is to be checked each time. Expressions with
 ///          calls of macros and functions, with elements of arrays, strings and the rarer functions have none. Mistakes
 ///          and warnings are those of parser/expression.h, at the same places.
 class Formula {

@@ -16,8 +16,7 @@ namespace firstlight::render {
 /// so they need no tree, and need not wait.
 ///
 /// Cells    Directions are the cells of a cube around the light, see CubeCells. Cells come in tiles; a tile through
-/// which
-///          nothing is seen that casts a shadow has no cells of its own.
+///          which nothing is seen that casts a shadow has no cells of its own.
 /// Cost     built in some 30 ns a cell and thing seen through it, and coarser where those would be many for the scene.
 /// Source   after Haines & Greenberg, The Light Buffer: A Shadow-Testing Accelerator, IEEE CG&A 6(9), 1986, whose cells
 ///          list all that is seen through them.

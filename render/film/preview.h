@@ -12,8 +12,7 @@ namespace firstlight::render {
 /// pixel is lit.
 ///
 /// Source   Progressive sampling from coarse grids to fine, as in Painter and Sloan, "Antialiased ray tracing by
-/// adaptive
-///          progressive refinement", SIGGRAPH 1989.
+///          adaptive progressive refinement", SIGGRAPH 1989.
 std::vector<Rgb> preview(const Film& film);
 
 }  // namespace firstlight::render

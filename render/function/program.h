@@ -14,8 +14,7 @@ namespace firstlight::render {
 /// A function of some numbers as instructions of a stack machine, for one point or for many at a time.
 ///
 /// Source   The meaning of each operation is that of POV-Ray 3.7's functions: whatever is not 0 is true, comparisons
-/// are
-///          exact. What has no value is not-a-number or infinite, never an error.
+///          are exact. What has no value is not-a-number or infinite, never an error.
 /// Cost     one to three nanoseconds an instruction; with many points, about one an instruction and point.
 /// Threads  Immutable.
 class Program final : public Function {

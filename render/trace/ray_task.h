@@ -52,9 +52,8 @@ struct PackedDirection {
 /// Rays that wait to be traced: a flat record with no pointer to a parent.
 ///
 /// Meaning  A radiance ray adds weight * local light to its sample. A record of shadow feelers stands for light that
-/// was
-///          added as if unoccluded, from one light or two; where a feeler is blocked, it takes back (1 - S) of the light
-///          at stake, S being the share that passes.
+///          was added as if unoccluded, from one light or two; where a feeler is blocked, it takes back (1 - S) of the
+///          light at stake, S being the share that passes.
 /// Source   Yagel & Meeker 1997, eq. 2-9 and section 7; docs/paper-notes.md.
 /// Memory   56 bytes.
 class RayTask {

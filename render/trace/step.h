@@ -43,8 +43,7 @@ struct TraceContext {
 /// and never traces a feeler it spawns.
 ///
 /// Sum rule  pixel = sum over tasks of task.weight * local, so child.weight = task.weight * factor. Lights are added as
-/// if
-///           unoccluded; a shadow child carries what it must take back when it is blocked.
+///           if unoccluded; a shadow child carries what it must take back when it is blocked.
 /// Source    Yagel & Meeker 1997, eq. 3-9; the local terms, weights and levels are POV-Ray 3.7's.
 /// Order     The contributions and tasks of a batch do not depend on how tasks are grouped into batches.
 /// Threads   One Stepper a thread.
