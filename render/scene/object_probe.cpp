@@ -106,9 +106,8 @@ Box3 box_of_members(const Object& object) {
 Box3 box_of(const Object& object, const Transform& placement) {
   if (object.kind == Object::Kind::light) return farthest_box();
   const Transform here = object.placement.then(placement);
-  Box3 box = object.kind == Object::Kind::shape
-                 ? box_of_shape(object, here)
-                 : placement.box(stored(object.placement.box(box_of_members(object))));
+  Box3 box = object.kind == Object::Kind::shape ? box_of_shape(object, here)
+                                                : placement.box(stored(object.placement.box(box_of_members(object))));
   for (const Objects* cutting : {&clips_of(object), &bounds_of(object)}) {
     if (!*cutting) continue;
     for (const Object& cut : **cutting) {

@@ -19,10 +19,9 @@ std::string only_error(const Words& words) {
 }
 
 TEST(StudyOptions, TakesThePicturesOptionsAndItsOwn) {
-  const StudyCommandLine line =
-      parse({"room.pov", "+W64", "+H48", "--out", "here", "--threads", "2", "--rounds=7", "--schemes",
-             "level; contribution,level ;0.5*level + 0.5*contribution", "declare=Lights=1", "--queue-memory", "16M",
-             "--every-feeler"});
+  const StudyCommandLine line = parse({"room.pov", "+W64", "+H48", "--out", "here", "--threads", "2", "--rounds=7",
+                                       "--schemes", "level; contribution,level ;0.5*level + 0.5*contribution",
+                                       "declare=Lights=1", "--queue-memory", "16M", "--every-feeler"});
   ASSERT_EQ(line.errors, Words{});
   const StudyOptions& options = line.options;
   EXPECT_EQ(options.scene.scene, "room.pov");

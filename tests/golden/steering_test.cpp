@@ -228,11 +228,12 @@ TEST(TerminalKeys, CtrlCEndsAPausedPicture) {
 TEST(TerminalKeys, TheTerminalIsGivenBackWhileTheProgramIsStopped) {
   const ScratchFolder scratch;
   // A shell between, as on a real terminal: it alone may let a program rest.
-  Terminal terminal({"sh", "-c",
-                     fmt::format("set -m; '{}' '+I{}' +Opicture.png +W2560 +H1920; echo RESTS; stty -a | tr ';' '\\n' | "
-                                 "grep -ow -e '-*icanon'; fg; echo ENDED $?",
-                                 program_under_test(), kScene.string())},
-                    scratch.path());
+  Terminal terminal(
+      {"sh", "-c",
+       fmt::format("set -m; '{}' '+I{}' +Opicture.png +W2560 +H1920; echo RESTS; stty -a | tr ';' '\\n' | "
+                   "grep -ow -e '-*icanon'; fg; echo ENDED $?",
+                   program_under_test(), kScene.string())},
+      scratch.path());
   ASSERT_TRUE(terminal.wait_for("? for keys", kSoon)) << terminal.text();
   terminal.type("\x1a");
   ASSERT_TRUE(terminal.wait_for("RESTS", kSoon)) << terminal.text();

@@ -45,8 +45,7 @@ TEST(RayTask, ARecordHoldsTwoFeelersOfNeighbouringLights) {
   task.for_each_feeler(
       [&](std::uint32_t index, const PackedRgb& at_stake) { feelers.emplace_back(index, at_stake.unpack()); });
   const Rgb expected(0.5f, 0.25f, 0.125f);
-  EXPECT_EQ(feelers,
-            (std::vector<std::pair<std::uint32_t, Rgb>>{{70000, expected}, {70255, Rgb(1.0f)}}));
+  EXPECT_EQ(feelers, (std::vector<std::pair<std::uint32_t, Rgb>>{{70000, expected}, {70255, Rgb(1.0f)}}));
 }
 
 TEST(RayTask, AFarLightNeedsARecordOfItsOwn) {
