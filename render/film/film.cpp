@@ -27,6 +27,21 @@ void Film::deal_out(int threads) {
   }
 }
 
+inline void Film::add_plainly(const Contribution& contribution) {
+  const auto add = [](std::atomic<std::int64_t>& sum, std::int64_t change) {
+    sum.store(FixedRgb::sum(sum.load(std::memory_order_relaxed), change), std::memory_order_relaxed);
+  };
+  Sample& sample = samples_[contribution.sample];
+  add(sample.r, contribution.light.r);
+  add(sample.g, contribution.light.g);
+  add(sample.b, contribution.light.b);
+  add(sample.change, contribution.outstanding);
+}
+
+void Film::add_plainly(std::span<const Contribution> contributions) {
+  for (const Contribution& contribution : contributions) add_plainly(contribution);
+}
+
 // Four atomic additions a contribution would cost several times what a lock a batch does.
 void Film::add(std::span<const Contribution> contributions) {
   if (threads_ == 1) return add_plainly(contributions);
@@ -42,21 +57,6 @@ void Film::add(std::span<const Contribution> contributions) {
     add_by_owners(part);
     contributions = contributions.subspan(part.size());
   }
-}
-
-void Film::add_plainly(std::span<const Contribution> contributions) {
-  for (const Contribution& contribution : contributions) add_plainly(contribution);
-}
-
-void Film::add_plainly(const Contribution& contribution) {
-  const auto add = [](std::atomic<std::int64_t>& sum, std::int64_t change) {
-    sum.store(FixedRgb::sum(sum.load(std::memory_order_relaxed), change), std::memory_order_relaxed);
-  };
-  Sample& sample = samples_[contribution.sample];
-  add(sample.r, contribution.light.r);
-  add(sample.g, contribution.light.g);
-  add(sample.b, contribution.light.b);
-  add(sample.change, contribution.outstanding);
 }
 
 void Film::add_by_owners(std::span<const Contribution> contributions) {
