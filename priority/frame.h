@@ -43,8 +43,10 @@ class Frame {
   void lit(const PrimaryOrder::Batch& batch);
   /// Adds to the film what a worker has traced; `counts` are all the rays it has traced so far.
   void add(std::span<const render::Contribution> light, const render::RayCounts& counts, Tally& tally);
-  /// Light will be added to the task's sample soon.
-  void expect_light(const render::RayTask& task) const { film_.fetch(task.sample); }
+  /// Light will be added to the tasks' samples soon.
+  void expect_light(std::span<const render::RayTask> tasks) const {
+    for (const render::RayTask& task : tasks) film_.fetch(task.sample);
+  }
   /// Makes known what the tally still holds. To be called by a worker before it rests, waits or leaves.
   void report(const render::RayCounts& counts, Tally& tally);
   render::RayCounts traced() const;

@@ -84,8 +84,9 @@ void PrimaryOrder::sort(const Scheme& scheme, std::uint64_t version) {
     for (auto tile = begin; tile != tiles.end(); ++tile) {
       if (tile->number >= tiles_.coarse_count()) tile->slot = slots.of(tile->number);
     }
+    // Tiles are numbered from coarse to fine.
     std::sort(begin, tiles.end(),
-              [](const Tile& a, const Tile& b) { return a.precedes(b) || (!b.precedes(a) && a.number < b.number); });
+              [](const Tile& a, const Tile& b) { return a.slot != b.slot ? a.slot > b.slot : a.number < b.number; });
   }
   show_top_locked();
 }

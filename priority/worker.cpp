@@ -82,7 +82,7 @@ bool Worker::primaries_are_next() {
 
 void Worker::trace_primaries() {
   if (!frame_.primaries().next(number_, primaries_)) return;
-  for (const render::RayTask& task : primaries_.rays.tasks) frame_.expect_light(task);
+  frame_.expect_light(primaries_.rays.tasks);
   stepper_.step_primary(primaries_.rays.tasks, primaries_.rays.rays);
   frame_.add(stepper_.light(), stepper_.counts(), tally_);
   scheme_->learn(primaries_.rays.tasks, stepper_.light(), stepper_.spawned());
@@ -111,7 +111,7 @@ bool Worker::is_inverted(Slot slot) const {
 
 std::uint64_t Worker::trace_block(Block* block) {
   const std::uint64_t taken = render::ray_count(block->span());
-  for (const render::RayTask& task : block->span()) frame_.expect_light(task);
+  frame_.expect_light(block->span());
   stepper_.step(block->span());
   frame_.add(stepper_.light(), stepper_.counts(), tally_);
   scheme_->learn(block->span(), stepper_.light(), stepper_.spawned());

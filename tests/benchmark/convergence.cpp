@@ -65,8 +65,9 @@ int main(int argc, char** argv) {
   std::vector<std::string> arguments(argv + 1, argv + argc);
   const bool wants_curve = std::erase(arguments, "--curve") > 0;
   const bool every_feeler = std::erase(arguments, "--every-feeler") > 0;
-  if (arguments.size() < 4)
+  if (arguments.size() < 4) {
     fail("usage: convergence SCENE WIDTH HEIGHT SCHEME [SCHEME ...] [--every-feeler] [--curve]");
+  }
   render::LoadOptions load;
   load.width = std::atoi(arguments[1].c_str());
   load.height = std::atoi(arguments[2].c_str());
