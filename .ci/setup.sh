@@ -1,7 +1,7 @@
 # Shared by render.sh and test.sh, which source it: installs what is missing and builds. Debian 12 package names.
 
-build_packages="g++ cmake ninja-build libembree-dev libtbb-dev libimath-dev libopenimageio-dev libhwy-dev libfmt-dev
-  nlohmann-json3-dev libcli11-dev libgtest-dev libbenchmark-dev"
+build_packages="g++ cmake ninja-build libembree-dev libtbb-dev libimath-dev libopenimageio-dev libpng-dev libturbojpeg0-dev
+  libhwy-dev libfmt-dev nlohmann-json3-dev libcli11-dev libgtest-dev libbenchmark-dev"
 render_packages="povray-includes"  # the standard include files, found where the package puts them
 # The reference that the pictures are compared with, and the compiler of the sanitized builds.
 test_packages="povray povray-includes povray-examples clang libclang-rt-14-dev"

@@ -6,7 +6,6 @@
 #include "priority/observer.h"
 #include "priority/steering.h"
 
-#include <functional>
 #include <utility>
 
 namespace firstlight::app {
@@ -19,8 +18,6 @@ class Audience final : public priority::Observer {
   Audience(ProgressLine& line, const priority::Steering& steering, Desk& desk, Desk::Write write)
       : line_(line), steering_(steering), desk_(desk), write_(std::move(write)) {}
 
-  /// `act` is called when the workers are under way: the whole picture can be shown.
-  void when_under_way(std::function<void()> act) { under_way_ = std::move(act); }
   /// Takes snapshots from now on.
   void take_snapshots(Snapshots& snapshots) { snapshots_ = &snapshots; }
 
@@ -32,7 +29,6 @@ class Audience final : public priority::Observer {
     if (snapshots_ != nullptr) snapshots_->key_changed(progress);
   }
   void preview(const priority::Progress& progress) override {
-    if (under_way_) under_way_();
     if (snapshots_ != nullptr) snapshots_->preview(progress);
   }
   void first_image(const priority::Progress& progress) override {
@@ -48,7 +44,6 @@ class Audience final : public priority::Observer {
   const priority::Steering& steering_;
   Desk& desk_;
   Desk::Write write_;
-  std::function<void()> under_way_;
   Snapshots* snapshots_ = nullptr;
 };
 

@@ -1,7 +1,5 @@
 #include "app/load_scene.h"
 
-#include "render/image/codec.h"
-
 #include <fmt/format.h>
 
 #include <cstdio>
@@ -30,7 +28,6 @@ render::LoadResult load_scene(const Options& options, const render::FrontEnd& fr
   load.report = show;
   load.stop = stop;
   load.progress = [&](const render::ParseProgress& progress) {
-    if (options.write_picture && !options.parse_only) render::prepare_image_codec();  // there is time for it
     line.stage(fmt::format("reading {}:{}, {} words, {} objects", progress.file, progress.line,
                            short_count(progress.tokens), short_count(progress.objects)));
   };

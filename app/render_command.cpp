@@ -17,7 +17,6 @@
 #include "priority/driver.h"
 #include "priority/order.h"
 #include "render/accel/accel.h"
-#include "render/image/codec.h"
 #include "render/trace/radiance_bound.h"
 
 #include <fmt/format.h>
@@ -157,9 +156,6 @@ int render_command(const Options& options, Clock::time_point start, const std::a
     if (!snapshots->error().empty()) return fail(snapshots->error());
     audience.take_snapshots(*snapshots);
   }
-  // While the module is opened no thread can begin, for a fifth of a second: so not before the workers are under way,
-  // and not while they need all processors.
-  if (options.write_picture && stats.threads < processors) audience.when_under_way(render::prepare_image_codec);
   priority::TraceOptions tracing = trace_options(options, stats, stop);
   const std::optional<render::AntialiasSettings> antialias = antialias_of(options, scene.settings);
   if (antialias) tracing.antialias = &*antialias;

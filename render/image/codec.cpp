@@ -3,9 +3,6 @@
 #include <dlfcn.h>
 #include <fmt/format.h>
 
-#include <future>
-#include <mutex>
-
 namespace firstlight::render {
 namespace {
 
@@ -25,19 +22,12 @@ Opened open_module() {
   return {reinterpret_cast<const ImageCodec* (*)()>(symbol)(), {}};
 }
 
-const std::shared_future<Opened>& opening() {
-  static const std::shared_future<Opened> future = std::async(std::launch::async, open_module).share();
-  return future;
-}
-
 }  // namespace
 
 const ImageCodec* image_codec(std::string& error) {
-  const Opened& opened = opening().get();
+  static const Opened opened = open_module();
   if (opened.codec == nullptr) error = opened.error;
   return opened.codec;
 }
-
-void prepare_image_codec() { opening(); }
 
 }  // namespace firstlight::render

@@ -14,8 +14,20 @@
 namespace firstlight::render {
 namespace {
 
-/// Pictures with more pixels than this are taken for damaged files.
-constexpr std::int64_t kMostPixels = std::int64_t{1} << 28;
+/// How many of a file's channels a Raster takes: the first ones, with alpha if it comes next.
+int channels_of(const OIIO::ImageSpec& spec) {
+  const int colors = spec.nchannels >= 3 ? 3 : 1;
+  return spec.alpha_channel == colors ? colors + 1 : colors;
+}
+
+/// Reads as many channels of all pixels as samples of a type.
+template <class Sample>
+bool read(OIIO::ImageInput& input, Raster& raster, OIIO::TypeDesc type) {
+  auto& samples = raster.samples.emplace<std::vector<Sample>>(static_cast<std::size_t>(raster.width) *
+                                                              static_cast<std::size_t>(raster.height) *
+                                                              static_cast<std::size_t>(raster.channels));
+  return input.read_image(0, 0, 0, raster.channels, type, samples.data());
+}
 
 /// The part of OpenImageIO's message that says why; the rest goes on for lines.
 std::string first_line(std::string text) {
@@ -30,7 +42,6 @@ class OpenImageIoCodec final : public ImageCodec {
     const OIIO::TypeDesc type = pixels.light ? OIIO::TypeDesc::FLOAT : OIIO::TypeDesc::UINT8;
     OIIO::ImageSpec spec(pixels.width, pixels.height, 3, type);
     if (!pixels.light) spec.attribute("oiio:ColorSpace", "sRGB");
-    if (extension.starts_with("jp")) spec.attribute("CompressionQuality", 95);
     const std::unique_ptr<OIIO::ImageOutput> output = OIIO::ImageOutput::create(std::string(extension));
     if (!output) {
       error = first_line(OIIO::geterror());
@@ -52,7 +63,7 @@ class OpenImageIoCodec final : public ImageCodec {
     return {};
   }
 
-  Picture decode(const std::string& path, std::string& error) const override try {
+  Raster decode(const std::string& path, std::string& error) const override try {
     OIIO::ImageSpec options;
     options.attribute("oiio:UnassociatedAlpha", 1);  // colours as stored, not darkened by alpha
     const std::unique_ptr<OIIO::ImageInput> input = OIIO::ImageInput::open(path, &options);
@@ -66,18 +77,26 @@ class OpenImageIoCodec final : public ImageCodec {
       error = "its size is not that of a picture";
       return {};
     }
-    const std::size_t pixels = static_cast<std::size_t>(spec.width) * static_cast<std::size_t>(spec.height);
-    const int channels = spec.nchannels >= 3 ? 3 : 1;
-    Picture picture{spec.width, spec.height, std::vector<std::uint8_t>(pixels * 3)};
-    // One channel is read to every third byte and copied to its neighbours.
-    if (!input->read_image(0, 0, 0, channels, OIIO::TypeDesc::UINT8, picture.rgb.data(), 3)) {
+    Raster raster;
+    raster.width = spec.width;
+    raster.height = spec.height;
+    raster.channels = channels_of(spec);
+    bool done = false;
+    if (spec.format.basesize() == 1) {
+      done = read<std::uint8_t>(*input, raster, OIIO::TypeDesc::UINT8);
+    } else if (spec.format.is_floating_point()) {
+      raster.white = 1;
+      raster.gamma = {FileGamma::Curve::power, 1.0};
+      done = read<float>(*input, raster, OIIO::TypeDesc::FLOAT);
+    } else {
+      raster.white = 65535;
+      done = read<std::uint16_t>(*input, raster, OIIO::TypeDesc::UINT16);
+    }
+    if (!done) {
       error = first_line(input->geterror());
       return {};
     }
-    if (channels == 1) {
-      for (std::size_t i = 0; i < picture.rgb.size(); i += 3) picture.rgb[i + 1] = picture.rgb[i + 2] = picture.rgb[i];
-    }
-    return picture;
+    return raster;
   } catch (const std::exception& problem) {
     error = problem.what();
     return {};

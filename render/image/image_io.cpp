@@ -1,6 +1,7 @@
 #include "render/image/image_io.h"
 
 #include "render/image/codec.h"
+#include "render/image/file_formats.h"
 
 #include <fmt/format.h>
 #include <unistd.h>
@@ -16,6 +17,7 @@
 #include <filesystem>
 #include <memory>
 #include <system_error>
+#include <utility>
 
 namespace firstlight::render {
 namespace {
@@ -23,13 +25,30 @@ namespace {
 namespace fs = std::filesystem;
 
 struct Format {
+  using Make = std::vector<std::uint8_t> (*)(int width, int height, const std::uint8_t* rgb);
+
   std::string_view extension;
-  bool light;  ///< linear light in floats, else 8 bits on the sRGB curve
+  bool light = false;   ///< linear light in floats, else 8 bits on the sRGB curve
+  Make make = nullptr;  ///< its bytes; without it, what the module makes
 };
 
-constexpr std::array kFormats = {Format{"png", false}, Format{"tga", false}, Format{"ppm", false},
-                                 Format{"bmp", false}, Format{"jpg", false}, Format{"jpeg", false},
-                                 Format{"exr", true},  Format{"hdr", true}};
+constexpr std::array kFormats = {Format{"png", false, make_png},
+                                 Format{"tga", false, make_tga},
+                                 Format{"ppm", false, make_ppm},
+                                 Format{"bmp"},
+                                 Format{"jpg", false, make_jpeg},
+                                 Format{"jpeg", false, make_jpeg},
+                                 Format{"exr", true},
+                                 Format{"hdr", true}};
+
+/// Told by what they contain, in this order; what none of them claims is the module's.
+struct Reader {
+  bool (*claims)(FileBytes file);
+  Raster (*read)(FileBytes file);
+};
+
+constexpr std::array kReaders = {Reader{is_png, read_png}, Reader{is_jpeg, read_jpeg}, Reader{is_pnm, read_pnm},
+                                 Reader{is_tga, read_tga}};
 
 const Format* find_format(const std::string& path, std::string_view format) {
   std::string extension(format);
@@ -68,6 +87,15 @@ std::string write_file(const fs::path& path, std::span<const unsigned char> byte
   return failure == 0 ? "" : std::generic_category().message(failure);
 }
 
+/// The bytes of a file; `error` says why there are none.
+std::vector<std::uint8_t> encode(const Format& format, const ImageCodec::Pixels& pixels, std::string& error) {
+  if (format.make != nullptr) {
+    return format.make(pixels.width, pixels.height, static_cast<const std::uint8_t*>(pixels.data));
+  }
+  const ImageCodec* const codec = image_codec(error);
+  return codec == nullptr ? std::vector<std::uint8_t>() : codec->encode(format.extension, pixels, error);
+}
+
 std::string write(const std::string& path, const Format& format, const ImageCodec::Pixels& pixels) {
   if (pixels.width <= 0 || pixels.height <= 0) return refusal(path, "the picture has no pixels");
   std::error_code ignored;
@@ -87,9 +115,7 @@ std::string write(const std::string& path, const Format& format, const ImageCode
   // What exists and is no plain file, such as /dev/null, cannot be replaced by renaming.
   const bool in_place = fs::exists(status) && !fs::is_regular_file(status);
   std::string error;
-  const ImageCodec* const codec = image_codec(error);
-  if (codec == nullptr) return refusal(path, error);
-  const std::vector<unsigned char> bytes = codec->encode(format.extension, pixels, error);
+  const std::vector<std::uint8_t> bytes = encode(format, pixels, error);
   if (!error.empty()) return refusal(path, error);
   if (in_place) {
     error = write_file(target, bytes, false);
@@ -105,6 +131,39 @@ std::string write(const std::string& path, const Format& format, const ImageCode
   }
   fs::remove(temporary, ignored);
   return refusal(path, error);
+}
+
+/// A whole file. `error` says why it cannot be read.
+std::vector<std::uint8_t> read_file(const fs::path& path, std::string& error) {
+  constexpr std::uintmax_t kMostBytes = std::uintmax_t{1} << 31;
+  const std::uintmax_t size = fs::file_size(path);
+  if (size > kMostBytes) {
+    error = "it is too large for a picture";
+    return {};
+  }
+  std::vector<std::uint8_t> bytes(static_cast<std::size_t>(size));
+  std::FILE* const file = std::fopen(path.c_str(), "rb");
+  if (file == nullptr) {
+    error = std::generic_category().message(errno);
+    return {};
+  }
+  bytes.resize(std::fread(bytes.data(), 1, bytes.size(), file));
+  if (std::ferror(file) != 0) error = std::generic_category().message(errno);
+  std::fclose(file);
+  return bytes;
+}
+
+/// `error` says why there is no picture. Its palette is left.
+Raster decode(const std::string& path, std::string& error) {
+  {
+    const std::vector<std::uint8_t> bytes = read_file(path, error);
+    if (!error.empty()) return {};
+    for (const Reader& reader : kReaders) {
+      if (reader.claims(bytes)) return reader.read(bytes);
+    }
+  }
+  const ImageCodec* const codec = image_codec(error);
+  return codec == nullptr ? Raster() : codec->decode(path, error);
 }
 
 /// Runs `action`; what the libraries below throw (out of memory, names the system refuses) becomes a message.
@@ -147,11 +206,11 @@ std::string write_png(const std::string& path, int width, int height, std::span<
   return guarded(path, [&] { return write(path, kFormats.front(), {width, height, false, rgb.data()}); });
 }
 
-Picture read_image(const std::string& path, std::string& error) {
+Raster read_raster(const std::string& path, std::string& error, Palette palette) {
   error.clear();
   const auto fail = [&](std::string_view why) {
     error = fmt::format("cannot read '{}': {}", path, why);
-    return Picture();
+    return Raster();
   };
   try {
     std::error_code ignored;
@@ -159,13 +218,18 @@ Picture read_image(const std::string& path, std::string& error) {
     if (!fs::exists(status)) return fail("there is no such file");
     if (!fs::is_regular_file(status)) return fail("that is not a file");
     std::string why;
-    const ImageCodec* const codec = image_codec(why);
-    if (codec == nullptr) return fail(why);
-    Picture picture = codec->decode(path, why);
-    return why.empty() ? picture : fail(why);
+    Raster raster = decode(path, why);
+    if (!why.empty()) return fail(why);
+    if (palette == Palette::resolve && !raster.palette.empty()) resolve_palette(raster);
+    return raster;
   } catch (const std::exception& problem) {
     return fail(problem.what());
   }
+}
+
+Picture read_image(const std::string& path, std::string& error) {
+  Raster raster = read_raster(path, error);
+  return error.empty() ? to_picture(std::move(raster)) : Picture();
 }
 
 }  // namespace firstlight::render

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "render/image/picture.h"
+#include "render/image/raster.h"
 
 #include <cstdint>
 #include <span>
@@ -23,8 +24,10 @@ std::string write_light(const std::string& path, int width, int height, std::spa
 /// `rgb` as in Picture. Pre: 3 * width * height bytes.
 std::string write_png(const std::string& path, int width, int height, std::span<const std::uint8_t> rgb);
 
-/// Reads a file of any format that OpenImageIO knows as 8-bit values; an alpha channel is dropped, grey becomes colour.
-/// On failure `error` says why and the picture is empty.
+/// Reads a file of any format that POV-Ray or OpenImageIO knows, told by what the file contains, with the file's own
+/// depth and channels. On failure `error` says why and the raster is empty.
+Raster read_raster(const std::string& path, std::string& error, Palette palette = Palette::resolve);
+/// The same as 8-bit values: to_picture() of it.
 Picture read_image(const std::string& path, std::string& error);
 
 }  // namespace firstlight::render
