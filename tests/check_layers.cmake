@@ -22,8 +22,8 @@ set(parser            ${render_scene} render/scene)
 set(priority          render/math render/function render/scene render/trace render/film)
 set(app               parser priority ${render_trace} render/trace render/film)
 
-# A library that is used behind one border only, and that border.
-set(borders "OpenImageIO/=render/image")
+# Libraries that are used behind one border only, and that border.
+set(borders "OpenImageIO/=render/image" "png.h=render/image" "turbojpeg.h=render/image")
 
 # layer_of(PATH RESULT): render/shape/sphere.h -> render/shape, app/main.cpp -> app, anything else -> "".
 function(layer_of path result)
