@@ -62,6 +62,7 @@ struct SceneRecord {
   std::vector<ProgramRun> ours;
   std::vector<MissingFeature> missing;
   std::string message;                   ///< the first error of the program that failed, in its own words
+  std::string povray_message;            ///< POV-Ray's error alone, so that it can be kept; empty when it rendered
   std::filesystem::path povray_picture;  ///< empty when there is none
   std::filesystem::path our_picture;
 };
