@@ -65,6 +65,7 @@ struct SceneRecord {
   std::string povray_message;            ///< POV-Ray's error alone, so that it can be kept; empty when it rendered
   std::filesystem::path povray_picture;  ///< empty when there is none
   std::filesystem::path our_picture;
+  std::string keeping;  ///< why a picture could not be kept; empty when all are, or none was to be
 };
 
 }  // namespace firstlight::app::compare

@@ -32,9 +32,12 @@ struct SceneJob {
   const Rendered* povray = nullptr;
 };
 
+/// Of 100 pixels, those that must be within 2/255 when nothing else is asked for.
+inline constexpr double kShare = 98.0;
+
 /// From where on two pictures count as the same.
 struct Thresholds {
-  std::optional<double> share;  ///< of 100 pixels, those that must be within 2/255; 98 when nothing else is asked for
+  std::optional<double> share;  ///< of 100 pixels, those that must be within 2/255; kShare when no threshold is set
   std::optional<double> psnr;   ///< dB
   /// Pictures that miss a threshold, but whose means of 8x8 pixels are so near, warn: they differ in their grain only.
   double psnr_8x8 = 40.0;  // dB
