@@ -8,4 +8,7 @@ namespace firstlight::app {
 /// Order    Before other threads begin.
 void keep_freed_memory();
 
+/// Gives back to the system what has been freed and kept.
+void give_back_freed_memory();
+
 }  // namespace firstlight::app

@@ -1,3 +1,4 @@
+#include "app/compare/command.h"
 #include "app/heap.h"
 #include "app/options.h"
 #include "app/parse_command.h"
@@ -58,6 +59,11 @@ int run(std::vector<std::string> arguments, std::chrono::steady_clock::time_poin
     watch_signal(SIGINT);
     watch_signal(SIGTERM);
     return firstlight::app::study_command(std::span(arguments).subspan(1), g_stop);
+  }
+  if (!arguments.empty() && arguments[0] == "compare") {
+    watch_signal(SIGINT);
+    watch_signal(SIGTERM);
+    return firstlight::app::compare::compare_command(std::span(arguments).subspan(1), g_stop);
   }
   const CommandLine line = firstlight::app::parse_command_line(arguments);
   switch (line.wish) {

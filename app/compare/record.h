@@ -12,14 +12,14 @@ namespace firstlight::app::compare {
 struct PictureDifference {
   int width = 0;
   int height = 0;
-  double share = 0.0;      ///< of the pixels within 2/255 in every channel, 0 to 1
-  double mean = 0.0;       ///< of all channels' differences, of 255
-  double rms = 0.0;        ///< root of their mean square, of 255
-  double psnr = 0.0;       ///< dB over all channels; infinite when the pictures are equal
-  double psnr_8x8 = 0.0;   ///< dB between the means of 8x8 pixels: what features that draw at random are judged by
-  double flip = 0.0;       ///< mean FLIP error, 0 to 1 (render/image/flip.h)
-  int worst = 0;           ///< the largest difference of a channel, of 255
-  int x = 0, y = 0;        ///< where that is
+  double share = 0.0;     ///< of the pixels within 2/255 in every channel, 0 to 1
+  double mean = 0.0;      ///< of all channels' differences, of 255
+  double rms = 0.0;       ///< root of their mean square, of 255
+  double psnr = 0.0;      ///< dB over all channels; infinite when the pictures are equal
+  double psnr_8x8 = 0.0;  ///< dB between the means of 8x8 pixels: what features that draw at random are judged by
+  double flip = 0.0;      ///< mean FLIP error, 0 to 1 (render/image/flip.h)
+  int worst = 0;          ///< the largest difference of a channel, of 255
+  int x = 0, y = 0;       ///< where that is
   std::array<int, 3> first{}, second{};  ///< both colours there
 };
 
@@ -43,7 +43,7 @@ struct MissingFeature {
 /// What became of one scene.
 enum class Status {
   agrees,
-  warns,           ///< between the thresholds for failing and for agreeing
+  warns,  ///< between the thresholds for failing and for agreeing
   differs,
   other_size,      ///< the pictures have different sizes
   lacks_features,  ///< SceneRecord::missing says which
@@ -54,16 +54,18 @@ enum class Status {
 
 /// One scene rendered by both programs, as often as rounds were asked for.
 struct SceneRecord {
-  std::string name;              ///< its path below the folder or list that was compared, without `.pov`
-  std::filesystem::path scene;   ///< absolute
+  std::string name;             ///< its path below the folder or list that was compared, without `.pov`
+  std::filesystem::path scene;  ///< absolute
   Status status = Status::both_failed;
   std::optional<PictureDifference> difference;  ///< when both pictures are there and have one size
   std::vector<ProgramRun> povray;               ///< a run a round; empty when it failed
   std::vector<ProgramRun> ours;
   std::vector<MissingFeature> missing;
-  std::string message;           ///< the first error of the program that failed, in its own words
+  std::string message;                   ///< the first error of the program that failed, in its own words
+  std::string povray_message;            ///< POV-Ray's error alone, so that it can be kept; empty when it rendered
   std::filesystem::path povray_picture;  ///< empty when there is none
   std::filesystem::path our_picture;
+  std::string keeping;  ///< why a picture could not be kept; empty when all are, or none was to be
 };
 
 }  // namespace firstlight::app::compare

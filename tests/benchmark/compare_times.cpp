@@ -1,12 +1,13 @@
-// How long a scene takes: POV-Ray, the traditional order, and each scheme, in turn, several times over.
+// How long a scene takes in each order: POV-Ray, the traditional order, and each scheme, in turn, several times over;
+// `firstlight compare --rounds` knows two programs only.
 //
 // What is compared is paired: every round runs all of them one after the other, and a ratio is taken within its round,
 // so that a machine that is slower for a minute is slower for all. Reported are medians, and the range of each ratio.
 // Usage: compare_times [--size 1024] [--rounds 7] [--threads 1] [--scene FILE.pov] [--without-povray]
 
-#include "app/study/curve.h"
-#include "tests/benchmark/paired.h"
-#include "tests/golden/process.h"
+#include "app/compare/programs.h"
+#include "app/compare/record_text.h"
+#include "app/compare/scratch_folder.h"
 
 #include <fmt/format.h>
 #include <CLI/CLI.hpp>
@@ -23,11 +24,7 @@
 namespace {
 
 namespace fs = std::filesystem;
-using firstlight::app::median;
-using firstlight::benchmark::povray_seconds;
-using firstlight::benchmark::ratio_text;
-using firstlight::golden::ProcessResult;
-using firstlight::golden::ScratchFolder;
+using namespace firstlight::app::compare;
 
 constexpr std::chrono::seconds kLimit{3600};
 const std::vector<std::string> kSchemes{"recursive", "contribution", "level", "ray-type"};
@@ -46,31 +43,35 @@ struct Run {
   nlohmann::json stats;
 };
 
-ProcessResult run(std::vector<std::string> command, const Settings& settings, const ScratchFolder& scratch) {
-  for (const std::string& option :
-       {"+I" + settings.scene.filename().string(), "+O" + (scratch / "picture.png").string(),
-        fmt::format("+W{}", settings.size), fmt::format("+H{}", settings.size), fmt::format("+WT{}", settings.threads),
-        std::string("-J"), std::string("-A"), std::string("-D"), std::string("+FN")}) {
-    command.push_back(option);
-  }
-  ProcessResult result = firstlight::golden::run_process(command, settings.scene.parent_path(), scratch.path(), kLimit);
-  if (!result.succeeded())
-    throw std::runtime_error(fmt::format("{}: {}\n{}", command[0], result.summary(), result.err));
-  return result;
+double checked(const std::string& program, const SceneRun& run) {
+  if (!run.error.empty()) throw std::runtime_error(fmt::format("{}: {}", program, run.error));
+  return run.times.trace;
 }
 
-Run run_povray(const Settings& settings, const ScratchFolder& scratch) {
-  const ProcessResult result = run({"povray"}, settings, scratch);
-  return {povray_seconds("Trace Time:", result.out + result.err), {}};
+CompareSettings compare_settings(const Settings& settings) {
+  CompareSettings out;
+  out.width = out.height = settings.size;
+  out.threads = settings.threads;
+  out.time_limit = kLimit;
+  out.firstlight = FIRSTLIGHT_PROGRAM;
+  return out;
 }
 
-Run run_firstlight(const std::string& scheme, const Settings& settings, const ScratchFolder& scratch) {
-  const fs::path file = scratch / "stats.json";
-  run({FIRSTLIGHT_PROGRAM, "--scheme", scheme, "--stats", file.string()}, settings, scratch);
-  std::ifstream stream(file);
+SceneJob job_of(const Settings& settings) {
+  return {settings.scene, {}, settings.scene.filename().string(), {}, nullptr};
+}
+
+Run measure_povray(const Settings& settings, const ScratchFolder& scratch) {
+  return {checked("povray", run_povray(job_of(settings), compare_settings(settings), scratch / "povray.png")), {}};
+}
+
+Run measure_firstlight(const std::string& scheme, const Settings& settings, const ScratchFolder& scratch) {
+  CompareSettings own = compare_settings(settings);
+  own.our_words = {"--scheme=" + scheme};
   Run measured;
+  measured.trace_s = checked(scheme, run_firstlight(job_of(settings), own, scratch / "firstlight.png"));
+  std::ifstream stream(scratch / "firstlight.png.json");
   measured.stats = nlohmann::json::parse(stream);
-  measured.trace_s = measured.stats.at("time").at("trace_s");
   return measured;
 }
 
@@ -86,16 +87,18 @@ Table measure(const Settings& settings) {
       std::fflush(stdout);
       table[name].push_back(std::move(measured));
     };
-    if (settings.with_povray) note("povray", run_povray(settings, scratch));
+    if (settings.with_povray) note("povray", measure_povray(settings, scratch));
     // Each round begins with another scheme, so that none always follows the same one.
     for (std::size_t i = 0; i < kSchemes.size(); ++i) {
       const std::string& scheme = kSchemes[(i + static_cast<std::size_t>(round)) % kSchemes.size()];
-      note(scheme, run_firstlight(scheme, settings, scratch));
+      note(scheme, measure_firstlight(scheme, settings, scratch));
     }
     fmt::print("\n");
   }
   return table;
 }
+
+double median(const std::vector<double>& values) { return spread_of(values).median; }
 
 std::vector<double> trace_times(const std::vector<Run>& runs) {
   std::vector<double> times;
@@ -107,7 +110,12 @@ std::vector<double> trace_times(const std::vector<Run>& runs) {
 std::string ratio(const Table& table, const std::string& above, const std::string& below) {
   const auto over = table.find(above);
   if (over == table.end()) return "";
-  return ratio_text(trace_times(over->second), trace_times(table.at(below)));
+  std::vector<double> ratios;
+  for (std::size_t i = 0; i < over->second.size(); ++i) {
+    ratios.push_back(over->second[i].trace_s / table.at(below)[i].trace_s);
+  }
+  const Spread spread = spread_of(ratios);
+  return fmt::format("{:.2f} ({:.2f} to {:.2f})", spread.median, spread.least, spread.most);
 }
 
 void report(const Table& table, const Settings& settings) {

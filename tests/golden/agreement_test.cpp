@@ -1,5 +1,6 @@
 // Every scene looks as POV-Ray renders it: POV-Ray renders it here and now, and the two pictures are compared.
 
+#include "app/compare/compare_scene.h"
 #include "tests/golden/picture.h"
 #include "tests/golden/render.h"
 #include "tests/golden/scene_list.h"
@@ -17,52 +18,49 @@ static void PrintTo(const GoldenScene& scene, std::ostream* stream) { *stream <<
 namespace {
 
 namespace fs = std::filesystem;
+using app::compare::CompareSettings;
+using app::compare::SceneJob;
+using app::compare::SceneRecord;
+using app::compare::Status;
 
 class Golden : public testing::TestWithParam<GoldenScene> {};
 
-/// The end of what a program printed, where its error is.
-std::string tail(const std::string& text) {
-  constexpr std::size_t kLength = 3000;
-  return text.size() <= kLength ? text : "..." + text.substr(text.size() - kLength);
-}
-
-/// Leaves both pictures, their difference and the numbers where a person can look at them.
-fs::path keep(const std::string& name, const Picture& ours, const Picture& theirs, const std::string& numbers) {
-  const fs::path folder = fs::path(FIRSTLIGHT_BINARY_DIR) / "golden-failures" / name;
-  fs::create_directories(folder);
-  write_picture(ours, folder / "firstlight.png");
-  write_picture(theirs, folder / "povray.png");
-  write_picture(difference_picture(ours, theirs), folder / "difference.png");
-  std::ofstream(folder / "numbers.txt") << "Firstlight against POV-Ray: " << numbers << '\n';
-  return folder;
+/// Leaves the difference and the numbers beside both pictures, where a person can look at them.
+void keep_difference(const fs::path& folder, const SceneRecord& record) {
+  std::string why;
+  const auto theirs = read_picture(record.povray_picture, why);
+  const auto ours = read_picture(record.our_picture, why);
+  if (!theirs || !ours || !record.difference) return;
+  render::write_picture((folder / "difference.png").string(), app::compare::difference_map(*theirs, *ours));
+  std::ofstream(folder / "numbers.txt") << "POV-Ray against Firstlight: " << summary(*record.difference) << '\n';
 }
 
 TEST_P(Golden, AgreesWithPovRay) {
   const GoldenScene& scene = GetParam();
   ASSERT_TRUE(fs::exists(scene.file)) << scene.file << " is missing (Debian package povray-examples?)";
-  fs::remove_all(fs::path(FIRSTLIGHT_BINARY_DIR) / "golden-failures" / scene.name);
+  SceneJob job;
+  job.scene = scene.file;
+  job.name = scene.name;
+  job.pictures = fs::path(FIRSTLIGHT_BINARY_DIR) / "golden-failures" / scene.name;
+  fs::remove_all(job.pictures);
+  fs::create_directories(job.pictures);
+  CompareSettings settings;
+  settings.width = 160;
+  settings.height = 120;
+  settings.time_limit = kRenderLimit;
+  settings.firstlight = program_under_test();
+  settings.thresholds.psnr = scene.psnr;
+  if (!scene.psnr) settings.thresholds.share = scene.share;
 
-  const ScratchFolder scratch;
-  const ProcessResult reference = render("povray", scene.file, scratch / "povray.png", scratch.path());
-  ASSERT_TRUE(reference.succeeded()) << "POV-Ray: " << reference.summary() << '\n' << tail(reference.err);
-  const ProcessResult ours = render(program_under_test(), scene.file, scratch / "firstlight.png", scratch.path());
-  ASSERT_TRUE(ours.succeeded()) << "Firstlight: " << ours.summary() << '\n' << tail(ours.err);
-
-  std::string why;
-  const auto povray_picture = read_picture(scratch / "povray.png", why);
-  ASSERT_TRUE(povray_picture) << why;
-  const auto our_picture = read_picture(scratch / "firstlight.png", why);
-  ASSERT_TRUE(our_picture) << why;
-  ASSERT_EQ(our_picture->width, povray_picture->width);
-  ASSERT_EQ(our_picture->height, povray_picture->height);
-
-  const Comparison found = compare(*our_picture, *povray_picture);
-  const bool agrees = scene.psnr ? found.psnr >= *scene.psnr : 100 * found.share >= scene.share;
-  std::cout << scene.name << ": " << found.summary() << '\n';
-  if (!agrees) {
-    const fs::path folder = keep(scene.name, *our_picture, *povray_picture, found.summary());
-    FAIL() << "Firstlight against POV-Ray: " << found.summary() << "\nSee " << folder.string();
+  const SceneRecord record = app::compare::compare_scene(job, settings);
+  ASSERT_TRUE(record.difference) << record.message << '\n' << to_text(record.missing);
+  std::cout << scene.name << ": " << summary(*record.difference) << '\n';
+  if (record.status == Status::agrees) {
+    fs::remove_all(job.pictures);
+    return;
   }
+  keep_difference(job.pictures, record);
+  FAIL() << "POV-Ray against Firstlight: " << summary(*record.difference) << "\nSee " << job.pictures.string();
 }
 
 INSTANTIATE_TEST_SUITE_P(Scenes, Golden, testing::ValuesIn(golden_scenes()),

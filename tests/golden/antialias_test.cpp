@@ -46,11 +46,11 @@ TEST_P(Antialiased, AgreesWithPovRay) {
   const Picture plain = render_to(scratch, program_under_test(), "plain", given.scene, {});
   ASSERT_EQ(ours.rgb.size(), reference.rgb.size());
   ASSERT_EQ(ours.rgb.size(), plain.rgb.size());
-  const Comparison found = compare(ours, reference);
-  std::cout << found.summary() << '\n';
+  const PictureDifference found = difference(reference, ours);
+  std::cout << summary(found) << '\n';
   // Edges are few: a picture without any anti-aliasing may have 98 of 100 pixels right.
-  EXPECT_GE(100 * found.share, 99.8) << found.summary();
-  EXPECT_LT(compare(plain, reference).share, found.share) << "nothing to be seen of the anti-aliasing";
+  EXPECT_GE(100 * found.share, 99.8) << summary(found);
+  EXPECT_LT(difference(reference, plain).share, found.share) << "nothing to be seen of the anti-aliasing";
 }
 
 std::vector<AntialiasedScene> with_both_methods() {
@@ -100,7 +100,7 @@ TEST(AntialiasedPictures, MethodThreeIsTreatedAsTwoWithAWarning) {
   const auto three = read_picture(file, why);
   ASSERT_TRUE(three) << why;
   EXPECT_EQ(*three, render_to(scratch, program_under_test(), "two", "shapes/box.pov", {"+A0.3", "-J", "+AM2"}));
-  EXPECT_GE(compare(*three, render_to(scratch, "povray", "povray", "shapes/box.pov", words)).share, 0.998);
+  EXPECT_GE(difference(render_to(scratch, "povray", "povray", "shapes/box.pov", words), *three).share, 0.998);
 }
 
 TEST(AntialiasedPictures, SchemesAndThreadsEndInTheSamePicture) {

@@ -1,7 +1,7 @@
 // Which formats need OpenImageIO's module: none of those that are at hand opens it.
 
-#include "tests/golden/process.h"
 #include "tests/golden/render.h"
+#include "tests/golden/run.h"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 #pragma once
-#include "tests/golden/process.h"
+#include "tests/golden/run.h"
 
 #include <filesystem>
 #include <string>

@@ -42,7 +42,7 @@ TEST_P(SameBytes, WhateverTheSchemeAndTheThreads) {
       const auto file = render_with(scheme, threads);
       const auto picture = read_picture(file, why);
       ASSERT_TRUE(picture) << why;
-      EXPECT_EQ(*picture, *first_picture) << compare(*picture, *first_picture, 0).summary();
+      EXPECT_EQ(*picture, *first_picture) << summary(difference(*picture, *first_picture));
       EXPECT_EQ(bytes_of(file), bytes_of(first)) << "the same pixels in other bytes";
     }
   }

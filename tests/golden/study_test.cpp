@@ -1,8 +1,8 @@
 // `firstlight study`: the report of a small run, and what is refused.
 
 #include "tests/golden/picture.h"
-#include "tests/golden/process.h"
 #include "tests/golden/render.h"
+#include "tests/golden/run.h"
 #include "tests/golden/scene_list.h"
 
 #include <gtest/gtest.h>
