@@ -35,10 +35,8 @@ struct EndlessScene {
 constexpr EndlessScene kScenes[] = {
     {"mandel", "sphere { 0, 1 pigment { mandel 2000000000 color_map { [0 rgb 0] [1 rgb 1] } } }"},
     {"julia", "plane { z, 1 pigment { julia <0.353, 0.288>, 1000000000 color_map { [0 rgb 0] [1 rgb 1] } scale 10 } }"},
-    {"magnet", "plane { z, 1 pigment { magnet 1 mandel 2000000000 color_map { [0 rgb 0] [1 rgb 1] } scale 0.1 } }"},
     {"intersection_of_100000",
      "intersection { #for (I, 1, 100000) sphere { <0, 0, I*1e-7>, 1 } #end pigment { rgb 1 } }"},
-    {"merge_of_30000", "merge { #for (I, 1, 30000) sphere { <0, 0, I*1e-7>, 1 } #end pigment { rgbt 0.9 } }"},
     {"clips",
      "union { #for (I, 1, 20000) sphere { <0, 0, I*1e-7>, 1 } #end pigment { rgb 1 }\n"
      "  clipped_by { intersection { #for (I, 1, 20000) sphere { <0, 0, I*1e-7>, 1 } #end } } }"},

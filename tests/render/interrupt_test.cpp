@@ -1,5 +1,7 @@
 #include "render/math/interrupt.h"
 
+#include "tests/render/random_scene.h"
+
 #include <gtest/gtest.h>
 
 #include <thread>
@@ -37,6 +39,17 @@ TEST(Interrupt, BelongsToItsThreadAndItsScope) {
     EXPECT_TRUE(Interrupt::seen());
   }
   EXPECT_FALSE(Interrupt::asked() || Interrupt::seen());
+}
+
+TEST(Interrupt, EndsTheBuildingOfATree) {
+  const RandomScene random(1, Fancy::plausible);
+  const std::atomic<bool> wish = true;
+  const Interrupt interrupt(wish);
+  const Accel accel(random.scene());
+  EXPECT_TRUE(Interrupt::seen());
+  const RayQuery query{{Vec3(0.0, 0.0, -5.0), Vec3(0.0, 0.0, 1.0)}, 0.0, 1e9, 0};
+  Hit hit;
+  accel.closest({&query, 1}, {&hit, 1});  // of no use, but no harm
 }
 
 }  // namespace
