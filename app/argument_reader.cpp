@@ -11,6 +11,14 @@
 namespace firstlight::app {
 namespace {
 
+/// POV-Ray's other names of options of ours; empty for all that is none.
+std::string_view other_name(std::string_view word) {
+  const std::string small = lower(word);
+  if (small == "-h" || small == "-?" || small == "-help") return "--help";
+  if (small == "-version" || small == "--v") return "--version";
+  return {};
+}
+
 constexpr int kDeepestIni = 10;       // POV-Ray's limit
 constexpr int kMostIniLines = 20000;  // ten levels could repeat one line without end
 
@@ -27,7 +35,9 @@ void ArgumentReader::read(std::span<const std::string> words) {
   while (!words.empty()) {
     const std::string& word = words[0];
     words = words.subspan(1);
-    if (word.starts_with("--")) {
+    if (const std::string_view name = other_name(word); !name.empty()) {
+      long_options_.read_word(std::string(name));
+    } else if (word.starts_with("--")) {
       read_long_option(word, words);
     } else if (is_ini_name(word)) {
       read_ini_file(word);

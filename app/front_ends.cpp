@@ -26,6 +26,11 @@ std::unique_ptr<FrontEndModule> FrontEndModule::open(const std::string& path, st
     error = fmt::format("front end '{}': there is no such file", path);
     return nullptr;
   }
+  // To open a pipe would wait for a writer.
+  if (!std::filesystem::is_regular_file(file, ignored)) {
+    error = fmt::format("front end '{}': that is no regular file", path);
+    return nullptr;
+  }
   std::unique_ptr<void, Close> library(dlopen(file.c_str(), RTLD_NOW | RTLD_LOCAL));
   if (library == nullptr) {
     const char* const why = dlerror();

@@ -1,8 +1,8 @@
 #include "app/load_scene.h"
 
-#include <fmt/format.h>
+#include "app/output.h"
 
-#include <cstdio>
+#include <fmt/format.h>
 
 namespace firstlight::app {
 
@@ -23,7 +23,7 @@ render::LoadResult load_scene(const Options& options, const render::FrontEnd& fr
     line.clear();
     // The scene's own output is as POV-Ray writes it: as it is, so that pieces can make up a line.
     const bool own = diagnostic.severity == render::Diagnostic::Severity::debug;
-    fmt::print(stderr, "{}", own ? diagnostic.message : render::format(diagnostic) + "\n");
+    own ? say_piece(diagnostic.message) : say(render::format(diagnostic));
   };
   load.report = show;
   load.stop = stop;

@@ -1,6 +1,7 @@
 #include "app/compare/command.h"
 #include "app/heap.h"
 #include "app/options.h"
+#include "app/output.h"
 #include "app/parse_command.h"
 #include "app/process_start.h"
 #include "app/raw_terminal.h"
@@ -10,11 +11,11 @@
 #include "app/version.h"
 
 #include <fmt/format.h>
+#include <unistd.h>
 
 #include <atomic>
 #include <chrono>
 #include <csignal>
-#include <cstdio>
 #include <ctime>
 #include <exception>
 #include <new>
@@ -44,10 +45,31 @@ void ask_to_stop(int signal) {
   raise(signal);
 }
 
-void watch_signal(int signal) {
+// A file that has grown too large by our own writing is an error of that writing.
+void ask_to_stop_from_outside(int signal, siginfo_t* sent, void*) {
+  if (sent->si_pid != getpid()) ask_to_stop(signal);
+}
+
+void watch_signals() {
   struct sigaction action {};
   action.sa_handler = ask_to_stop;
-  sigaction(signal, &action, nullptr);
+  sigaction(SIGINT, &action, nullptr);
+  sigaction(SIGTERM, &action, nullptr);
+  // A terminal that goes away, unless the user does not care, as with `nohup`.
+  struct sigaction former {};
+  sigaction(SIGHUP, nullptr, &former);
+  if (former.sa_handler != SIG_IGN) sigaction(SIGHUP, &action, nullptr);
+  action.sa_sigaction = ask_to_stop_from_outside;
+  action.sa_flags = SA_SIGINFO;
+  sigaction(SIGXFSZ, &action, nullptr);
+}
+
+/// What the program was run for. Returns the exit code.
+int print(const std::string& result) {
+  const std::string problem = firstlight::app::print_result(result);
+  if (problem.empty()) return 0;
+  firstlight::app::say_error(problem);
+  return firstlight::app::kExitFailure;
 }
 
 int run(std::vector<std::string> arguments, std::chrono::steady_clock::time_point start) {
@@ -56,8 +78,7 @@ int run(std::vector<std::string> arguments, std::chrono::steady_clock::time_poin
     return firstlight::app::steer_client(std::span(arguments).subspan(1));
   }
   if (!arguments.empty() && arguments[0] == "study") {
-    watch_signal(SIGINT);
-    watch_signal(SIGTERM);
+    watch_signals();
     return firstlight::app::study_command(std::span(arguments).subspan(1), g_stop);
   }
   if (!arguments.empty() && arguments[0] == "compare") {
@@ -68,21 +89,18 @@ int run(std::vector<std::string> arguments, std::chrono::steady_clock::time_poin
   const CommandLine line = firstlight::app::parse_command_line(arguments);
   switch (line.wish) {
     case CommandLine::Wish::help:
-      fmt::print("{}", firstlight::app::help_text());
-      return 0;
+      return print(firstlight::app::help_text());
     case CommandLine::Wish::version:
-      fmt::print("firstlight {}\n", firstlight::app::kVersion);
-      return 0;
+      return print(fmt::format("firstlight {}\n", firstlight::app::kVersion));
     case CommandLine::Wish::render:
       break;
   }
   for (const std::string& warning : line.warnings) {
-    if (!line.options.quiet) fmt::print(stderr, "firstlight: warning: {}\n", warning);
+    if (!line.options.quiet) firstlight::app::say_warning(warning);
   }
-  for (const std::string& error : line.errors) fmt::print(stderr, "firstlight: error: {}\n", error);
+  for (const std::string& error : line.errors) firstlight::app::say_error(error);
   if (!line.errors.empty()) return firstlight::app::kExitFailure;
-  watch_signal(SIGINT);
-  watch_signal(SIGTERM);
+  watch_signals();
   if (line.options.parse_only) return firstlight::app::parse_command(line.options, g_stop);
   return firstlight::app::render_command(line.options, start, g_stop);
 }
@@ -92,12 +110,13 @@ int run(std::vector<std::string> arguments, std::chrono::steady_clock::time_poin
 int main(int argc, char** argv) {
   const auto start = firstlight::app::process_start();
   firstlight::app::keep_freed_memory();
+  firstlight::app::secure_standard_streams();
   try {
     return run({argv + 1, argv + argc}, start);
   } catch (const std::bad_alloc&) {
-    std::fputs("firstlight: error: not enough memory\n", stderr);
+    firstlight::app::say_error("not enough memory");
   } catch (const std::exception& exception) {
-    fmt::print(stderr, "firstlight: error: {}\n", exception.what());
+    firstlight::app::say_error(exception.what());
   }
   return firstlight::app::kExitFailure;
 }

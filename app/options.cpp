@@ -12,6 +12,7 @@
 #include <cctype>
 #include <cstdint>
 #include <filesystem>
+#include <iterator>
 #include <limits>
 
 namespace firstlight::app {
@@ -19,6 +20,33 @@ namespace {
 
 bool is_plain_name(std::string_view text) {
   return std::ranges::all_of(text, [](unsigned char c) { return std::isalpha(c) || c == '-'; });
+}
+
+struct FileType {
+  char letter;
+  std::string_view extension;
+  std::string_view name;
+  int bits;  ///< per channel
+};
+
+constexpr FileType kFileTypes[] = {
+    {'N', ".png", "PNG", 8}, {'T', ".tga", "TGA", 8},  {'C', ".tga", "TGA", 8},      {'P', ".ppm", "PPM", 8},
+    {'B', ".bmp", "BMP", 8}, {'J', ".jpg", "JPEG", 8}, {'E', ".exr", "OpenEXR", 32}, {'H', ".hdr", "Radiance", 8},
+};
+
+const FileType* find_file_type(char letter) {
+  const auto* const found = std::ranges::find(kFileTypes, letter, &FileType::letter);
+  return found == std::end(kFileTypes) ? nullptr : found;
+}
+
+/// Empty, or why the type's files are not written as the option's number wants.
+std::string refusal_of_bits(const FileType& type, int bits) {
+  const std::string option = fmt::format("+F{}{}", type.letter, bits);
+  // Callers of POV-Ray mean the quality.
+  if (type.letter == 'J') return option + ": the quality of JPEG files cannot be chosen";
+  constexpr int kFewest = 5;  // as with POV-Ray, for files of 8
+  if (bits == type.bits || (type.bits == 8 && bits >= kFewest && bits <= 8)) return {};
+  return fmt::format("{}: {} files are written with {} bits per channel", option, type.name, type.bits);
 }
 
 void check(CommandLine& line) {
@@ -29,15 +57,13 @@ void check(CommandLine& line) {
     line.errors.push_back(
         fmt::format("--scheme {}: there is no such scheme; known are {}", options.scheme, priority::scheme_names()));
   }
-  if (extension_of(options.file_type).empty()) {
+  if (const FileType* const type = find_file_type(options.file_type); type == nullptr) {
     line.errors.push_back(
-        fmt::format("+F{}: there is no such file type; known are N (PNG), T (TGA), P (PPM), B (BMP), J (JPEG), E "
+        fmt::format("+F{}: there is no such file type; known are N (PNG), T and C (TGA), P (PPM), B (BMP), J (JPEG), E "
                     "(OpenEXR), H (Radiance)",
                     options.file_type));
-  } else if (options.bits != 0 && (options.bits < 5 || options.bits > 16)) {
-    line.errors.push_back(fmt::format("+F{}{}: bits per channel are 5 to 16", options.file_type, options.bits));
-  } else if (options.bits > 8 && options.file_type == 'N') {
-    line.errors.push_back(fmt::format("+FN{}: PNG files are written with 8 bits per channel", options.bits));
+  } else if (options.bits != 0) {
+    if (const std::string why = refusal_of_bits(*type, options.bits); !why.empty()) line.errors.push_back(why);
   }
   if (options.output == "-") line.errors.emplace_back("+O-: the picture cannot be written to the standard output");
   if (options.threads > kMostThreads) line.errors.push_back(fmt::format("more than {} threads", kMostThreads));
@@ -99,25 +125,8 @@ std::string help_text() {
 }
 
 std::string_view extension_of(char file_type) {
-  switch (file_type) {
-    case 'N':
-      return ".png";
-    case 'C':
-    case 'T':
-      return ".tga";
-    case 'P':
-      return ".ppm";
-    case 'B':
-      return ".bmp";
-    case 'J':
-      return ".jpg";
-    case 'E':
-      return ".exr";
-    case 'H':
-      return ".hdr";
-    default:
-      return {};
-  }
+  const FileType* const type = find_file_type(file_type);
+  return type == nullptr ? std::string_view() : type->extension;
 }
 
 std::string picture_path(const Options& options) {

@@ -2,13 +2,14 @@
 
 #include "app/front_ends.h"
 #include "app/load_scene.h"
+#include "app/output.h"
 #include "app/progress.h"
 #include "app/render_command.h"
+#include "render/scene/escaped.h"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
-#include <cstdio>
 #include <cstdlib>
 
 namespace firstlight::app {
@@ -21,7 +22,7 @@ std::string to_text(const std::string& scene, const render::SceneSummary& summar
   for (const render::Diagnostic& missing : summary.unrendered) {
     text += fmt::format("{}:{}:{}: {}\n", missing.file, missing.line, missing.column, missing.message);
   }
-  return text;
+  return render::escaped_lines(text);  // paths may hold anything
 }
 
 }  // namespace
@@ -47,7 +48,7 @@ std::string to_json(const std::string& scene, const render::SceneSummary& summar
 int parse_command(const Options& options, const std::atomic<bool>& stop) {
   const ChosenFrontEnd front_end(options.front_end);
   if (!front_end.error().empty()) {
-    fmt::print(stderr, "firstlight: error: {}\n", front_end.error());
+    say_error(front_end.error());
     return kExitFailure;
   }
   ProgressLine line(options.quiet);
@@ -55,11 +56,13 @@ int parse_command(const Options& options, const std::atomic<bool>& stop) {
   const render::LoadResult loaded = load_scene(options, *front_end, line, &stop);
   line.clear();
   if (loaded.scene == nullptr) return stop ? kExitInterrupted : kExitFailure;
-  fmt::print("{}", options.json ? to_json(options.scene, loaded.summary) : to_text(options.scene, loaded.summary));
+  const std::string text =
+      options.json ? to_json(options.scene, loaded.summary) : to_text(options.scene, loaded.summary);
+  const std::string problem = print_result(text);
+  if (!problem.empty()) say_error(problem);
   // To take a scene of many objects apart needs a good part of the time that reading it does, and the process is at its
   // end.
-  std::fflush(stdout);
-  std::_Exit(EXIT_SUCCESS);
+  std::_Exit(problem.empty() ? EXIT_SUCCESS : kExitFailure);
 }
 
 }  // namespace firstlight::app

@@ -3,6 +3,7 @@
 #include "render/film/preview.h"
 #include "render/image/encode.h"
 #include "render/image/image_io.h"
+#include "render/image/link_target.h"
 #include "render/scene/file_encoding.h"
 
 #include <fmt/format.h>
@@ -21,9 +22,10 @@ std::string write_film(const std::string& path, const render::Film& film, const 
   return render::write_picture(path, {film.width(), film.height(), render::to_bytes(colors, encoding)});
 }
 
-std::string check_writable(const std::string& path) {
+std::string check_writable(const std::string& name) {
   namespace fs = std::filesystem;
   std::error_code ignored;
+  const std::string path = render::link_target(name).string();
   fs::path folder = fs::path(path).parent_path();
   if (folder.empty()) folder = ".";
   if (!fs::exists(folder, ignored))

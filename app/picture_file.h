@@ -11,7 +11,7 @@ namespace firstlight::app {
 /// Empty, or why it failed.
 std::string write_film(const std::string& path, const render::Film& film, const render::Settings& settings);
 
-/// Whether a file can be made at `path`: its folder exists and may be written to. Empty, or what is wrong.
-std::string check_writable(const std::string& path);
+/// Whether a file can be made there: its folder exists and may be written to. Empty, or what is wrong.
+std::string check_writable(const std::string& name);
 
 }  // namespace firstlight::app

@@ -154,10 +154,18 @@ bool PovOptions::apply(std::string_view word) {
     case Use::file_type: {
       options.write_picture = on;
       options.file_type = static_cast<char>(std::toupper(static_cast<unsigned char>(parameter[0])));
+      options.bits = 0;
       if (parameter.size() == 1) break;
-      const auto bits = parse<int>(parameter.substr(1));
-      if (!bits) return false;
-      options.bits = *bits;
+      const std::string_view kind = parameter.substr(1);
+      if (const auto bits = parse<int>(kind); bits && *bits > 0) {
+        options.bits = *bits;
+      } else if (lower(kind) == "g") {
+        out_.errors.push_back(fmt::format("option '{}': a picture in shades of gray is not available", word));
+      } else {
+        out_.errors.push_back(
+            fmt::format("option '{}': expected bits per channel, or g for gray, after '{}', found '{}'", word,
+                        word.substr(0, word.size() - kind.size()), kind));
+      }
       break;
     }
     case Use::antialias:
@@ -246,6 +254,23 @@ void PovOptions::finish_antialias() {
   bring_within("Jitter_Amount", settings.jitter_amount, 0.0, 1.0);
   bring_within("Render_Block_Size", settings.block_size, 4, std::numeric_limits<int>::max());
   out_.options.antialias = settings;
+  check_samples();
+}
+
+// A threshold that no picture can show lets every pixel have all of its samples.
+void PovOptions::check_samples() {
+  constexpr double kShown = 1.0 / 255.0;
+  constexpr double kMostSamples = 4294967296.0;
+  const render::AntialiasSettings& settings = antialias_settings_;
+  if (settings.threshold >= kShown) return;
+  const double along = settings.method == 1 ? settings.depth : 1 << (settings.depth - 1);
+  const double samples = along * along * out_.options.width * out_.options.height;
+  if (samples <= kMostSamples) return;
+  out_.errors.push_back(
+      fmt::format("Antialias_Threshold={}: with Antialias_Depth={} the picture takes {:.2g} samples, and {:.2g} are "
+                  "possible; choose "
+                  "a higher threshold or a smaller depth",
+                  settings.threshold, settings.depth, samples, kMostSamples));
 }
 
 void PovOptions::finish() { finish_antialias(); }

@@ -28,6 +28,7 @@ class PovOptions {
   double* number_of_setting(std::string_view name);
   void apply_antialias(Use use, bool on, std::string_view parameter);
   void finish_antialias();
+  void check_samples();
 
   CommandLine& out_;
   bool antialias_ = false;

@@ -1,11 +1,13 @@
 #include "app/progress.h"
 
+#include "app/output.h"
+#include "render/scene/escaped.h"
+
 #include <fmt/format.h>
 #include <sys/ioctl.h>
 #include <unistd.h>
 
 #include <algorithm>
-#include <cstdio>
 #include <utility>
 
 namespace firstlight::app {
@@ -86,7 +88,7 @@ void ProgressLine::note(const std::string& text) {
   if (!shown_) return;
   const std::lock_guard lock(mutex_);
   wipe();
-  fmt::print(stderr, "{}{}", text, text.ends_with('\n') ? "" : "\n");
+  say(text.ends_with('\n') ? text.substr(0, text.size() - 1) : text);
 }
 
 void ProgressLine::clear() {
@@ -96,18 +98,17 @@ void ProgressLine::clear() {
 
 void ProgressLine::wipe() {
   if (!std::exchange(on_screen_, false)) return;
-  std::fputs("\r\x1b[K", stderr);
-  std::fflush(stderr);
+  draw("\r\x1b[K");
 }
 
 void ProgressLine::show(std::string text) {
   if (!shown_) return;
+  text = render::escaped(text);
   const std::size_t hint = hint_.empty() ? 0 : hint_.size() + 2;
   const std::size_t width = std::max(terminal_width() - 1, hint);
   text.resize(std::min(text.size(), width - hint));
   if (hint > 0) text += "  " + hint_;
-  fmt::print(stderr, "\r{}\x1b[K", text);
-  std::fflush(stderr);
+  draw(fmt::format("\r{}\x1b[K", text));
   on_screen_ = true;
 }
 

@@ -17,7 +17,7 @@ std::atomic<bool> g_is_raw = false;
 std::atomic<bool> g_is_leaving = false;  // a signal is about to end or stop the program
 static_assert(std::atomic<bool>::is_always_lock_free, "handlers of signals read it");
 
-constexpr std::array kDeadly = {SIGHUP, SIGQUIT, SIGABRT, SIGSEGV, SIGBUS, SIGFPE, SIGILL};
+constexpr std::array kDeadly = {SIGQUIT, SIGABRT, SIGSEGV, SIGBUS, SIGFPE, SIGILL};
 
 bool in_foreground() { return tcgetpgrp(STDIN_FILENO) == getpgrp(); }
 

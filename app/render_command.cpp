@@ -8,6 +8,7 @@
 #include "app/front_ends.h"
 #include "app/load_scene.h"
 #include "app/memory_size.h"
+#include "app/output.h"
 #include "app/picture_file.h"
 #include "app/progress.h"
 #include "app/snapshots.h"
@@ -17,12 +18,14 @@
 #include "priority/driver.h"
 #include "priority/order.h"
 #include "render/accel/accel.h"
+#include "render/image/link_target.h"
+#include "render/math/interrupt.h"
 #include "render/trace/radiance_bound.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cstdio>
+#include <filesystem>
 #include <memory>
 #include <optional>
 #include <thread>
@@ -37,10 +40,8 @@ double seconds_between(Clock::time_point begin, Clock::time_point end) {
   return std::chrono::duration<double>(end - begin).count();
 }
 
-void say(const std::string& text) { fmt::print(stderr, "{}\n", text); }
-
 int fail(const std::string& why) {
-  say("firstlight: error: " + why);
+  say_error(why);
   return kExitFailure;
 }
 
@@ -54,8 +55,16 @@ int interrupted(Clock::time_point start) {
 std::string check_outputs(const Options& options, const std::string& picture) {
   std::string problem;
   if (options.write_picture) problem = check_writable(picture);
-  if (problem.empty() && !options.stats_file.empty()) problem = check_writable(options.stats_file);
-  return problem;
+  if (!problem.empty() || options.stats_file.empty()) return problem;
+  std::error_code ignored;
+  const auto place = [&](const std::string& file) {
+    return std::filesystem::weakly_canonical(render::link_target(file), ignored);
+  };
+  if (options.write_picture && (place(options.stats_file) == place(picture) ||
+                                std::filesystem::equivalent(options.stats_file, picture, ignored))) {
+    return fmt::format("--stats: '{}' is where the picture is written", options.stats_file);
+  }
+  return check_writable(options.stats_file);
 }
 
 /// The scheme and the boosts that the user wants from the beginning.
@@ -101,6 +110,7 @@ void take_over(const priority::TraceResult& traced, Clock::time_point start, Sta
 }  // namespace
 
 int render_command(const Options& options, Clock::time_point start, const std::atomic<bool>& stop) {
+  const render::Interrupt interrupt(stop);
   const std::string picture = picture_path(options);
   if (const std::string problem = check_outputs(options, picture); !problem.empty()) return fail(problem);
 
@@ -141,6 +151,7 @@ int render_command(const Options& options, Clock::time_point start, const std::a
   const auto build_begin = Clock::now();
   const render::Accel accel(scene);
   stats.build = seconds_between(build_begin, Clock::now());
+  if (stop) return interrupted(start);
 
   render::MediumTable media;
   const auto write = [&](const std::string& file) -> std::string {
@@ -174,19 +185,22 @@ int render_command(const Options& options, Clock::time_point start, const std::a
   take_over(traced, start, stats);
   stats.scheme = steering.order().text();
 
-  if (snapshots) {
-    snapshots->finished(stats.rays);
-    if (!snapshots->error().empty()) return fail(snapshots->error());
-  }
+  // The picture first: what goes wrong with the rest costs an exit code, no more.
   if (options.write_picture) {
     if (problem = write(""); !problem.empty()) return fail(problem);
   }
   stats.total = seconds_between(start, Clock::now());
-  if (!options.stats_file.empty()) {
-    if (problem = write_text_file(options.stats_file, to_json(stats)); !problem.empty()) return fail(problem);
+  int exit_code = 0;
+  const auto note = [&](const std::string& why) {
+    if (!why.empty()) exit_code = fail(why);
+  };
+  if (snapshots) {
+    snapshots->finished(stats.rays);
+    note(snapshots->error());
   }
+  if (!options.stats_file.empty()) note(write_text_file(options.stats_file, to_json(stats)));
   if (!options.quiet) say(summary(options, picture, stats));
-  return 0;
+  return exit_code;
 }
 
 }  // namespace firstlight::app

@@ -1,6 +1,7 @@
 #include "app/stats.h"
 
 #include "app/ending.h"
+#include "render/image/link_target.h"
 
 #include <fmt/format.h>
 #include <unistd.h>
@@ -47,15 +48,16 @@ std::string to_json(const Stats& stats) {
   return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 
-std::string write_text_file(const std::string& path, const std::string& text) {
+std::string write_text_file(const std::string& name, const std::string& text) {
   namespace fs = std::filesystem;
   std::error_code error;
+  const std::string path = render::link_target(name).string();
   const fs::file_status status = fs::status(path, error);
   if (fs::exists(status) && !fs::is_regular_file(status)) {
     // A pipe or device is written to, never replaced.
     std::ofstream stream(path, std::ios::binary);
     stream << text << std::flush;
-    return stream ? "" : fmt::format("cannot write '{}'", path);
+    return stream ? "" : fmt::format("cannot write '{}'", name);
   }
   const std::string beside = fmt::format("{}.{}.part", path, static_cast<long>(::getpid()));
   {
@@ -63,14 +65,14 @@ std::string write_text_file(const std::string& path, const std::string& text) {
     stream << text << std::flush;
     if (!stream) {
       fs::remove(beside, error);
-      return fmt::format("cannot write '{}'", path);
+      return fmt::format("cannot write '{}'", name);
     }
   }
   fs::rename(beside, path, error);
   if (!error) return {};
   const std::string why = error.message();
   fs::remove(beside, error);
-  return fmt::format("cannot write '{}': {}", path, why);
+  return fmt::format("cannot write '{}': {}", name, why);
 }
 
 }  // namespace firstlight::app

@@ -30,7 +30,8 @@ struct Stats {
 
 std::string to_json(const Stats& stats);
 
-/// Writes `text` beside `path` and renames it, so the file is never half written. Empty, or why it failed.
-std::string write_text_file(const std::string& path, const std::string& text);
+/// Writes `text` beside the file and renames it, so the file is never half written, and a link stays one. Empty, or why it
+/// failed.
+std::string write_text_file(const std::string& name, const std::string& text);
 
 }  // namespace firstlight::app

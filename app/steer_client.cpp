@@ -1,6 +1,7 @@
 #include "app/steer_client.h"
 
 #include "app/local_socket.h"
+#include "app/output.h"
 #include "app/render_command.h"
 
 #include <fmt/format.h>
@@ -9,7 +10,6 @@
 
 #include <array>
 #include <cerrno>
-#include <cstdio>
 #include <iostream>
 #include <optional>
 #include <string_view>
@@ -56,7 +56,7 @@ class Line {
 bool is_blank(std::string_view text) { return text.find_first_not_of(" \t\r\n\f\v") == std::string_view::npos; }
 
 int fail(const std::string& why) {
-  fmt::print(stderr, "firstlight: error: {}\n", why);
+  say_error(why);
   return kExitFailure;
 }
 
@@ -66,9 +66,9 @@ bool ask(Line& line, const std::string& command, bool& refused) {
   const bool sent = line.send(command);
   const std::optional<std::string> answer = sent ? line.receive() : std::nullopt;
   if (!answer) return false;
-  fmt::print("{}\n", *answer);
-  std::fflush(stdout);
-  refused = refused || !answer->starts_with("ok");
+  const std::string problem = print_result(*answer + '\n');
+  if (!problem.empty()) say_error(problem);
+  refused = refused || !problem.empty() || !answer->starts_with("ok");
   return true;
 }
 

@@ -1,5 +1,7 @@
 #include "priority/depth_first.h"
 
+#include "render/math/interrupt.h"
+
 namespace firstlight::priority {
 namespace {
 
@@ -19,6 +21,7 @@ void DepthFirst::run(std::span<const render::RayTask> roots) {
   while (!stack_.empty() && !frame_.stopped()) {
     const std::size_t count = size_of_top(stack_);
     stepper_.step(std::span(stack_).last(count));
+    if (render::Interrupt::seen()) return;  // half a step is no part of the sum
     frame_.add(stepper_.light(), stepper_.counts(), tally_);
     stack_.resize(stack_.size() - count);
     stack_.insert(stack_.end(), stepper_.spawned().begin(), stepper_.spawned().end());
@@ -45,6 +48,10 @@ void trace_recursively(Frame& frame, render::Stepper& stepper, RayQueue& queue, 
         return frame.leave_unfinished();
       }
       stepper.step_primary(std::span(batch.rays.tasks).subspan(i, 1), std::span(batch.rays.rays).subspan(i, 1));
+      if (render::Interrupt::seen()) {
+        frame.report(stepper.counts(), tally);
+        return frame.leave_unfinished();
+      }
       frame.add(stepper.light(), stepper.counts(), tally);
       depth_first.run(stepper.spawned());
     }

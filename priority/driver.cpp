@@ -6,6 +6,7 @@
 #include "priority/ray_queue.h"
 #include "priority/steering.h"
 #include "priority/worker.h"
+#include "render/math/interrupt.h"
 
 #include <algorithm>
 #include <exception>
@@ -24,6 +25,7 @@ std::string reason_of(const std::exception& exception) {
 
 // The whole life of a worker thread. No exception leaves it.
 void work(Frame& frame, Shared& shared, const TraceOptions& options, std::size_t number, render::RayCounts& counts) {
+  const render::Interrupt interrupt(frame.wish_to_end());
   try {
     render::Stepper stepper(frame.context(), frame.surfaces());
     if (options.scheme == nullptr) {

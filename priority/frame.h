@@ -54,6 +54,8 @@ class Frame {
 
   /// Whether the workers are to leave: somebody asked for it, an aim is reached, or one of them failed.
   bool stopped() const { return stopped_.load(std::memory_order_relaxed) || asked_to_stop(); }
+  /// True from the moment on when stopped() is true for good; what an Interrupt of the workers goes by.
+  const std::atomic<bool>& wish_to_end() const { return stopped_; }
   void fail(const std::string& why);
   /// To be called by a worker that leaves because of stopped(), with work left.
   void leave_unfinished() { end_with(End::stopped); }

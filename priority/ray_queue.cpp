@@ -175,9 +175,9 @@ RayQueue::Rekeying RayQueue::rekeying() const {
 }
 
 void RayQueue::count(std::int64_t change, std::int64_t highest) {
-  const std::uint64_t with_new = waiting_.fetch_add(static_cast<std::uint64_t>(change), std::memory_order_relaxed) +
-                                 static_cast<std::uint64_t>(highest);
-  std::uint64_t peak = peak_rays_.load(std::memory_order_relaxed);
+  // Below zero for a moment, when who took rays tells of it before the one who brought them.
+  const std::int64_t with_new = waiting_.fetch_add(change, std::memory_order_relaxed) + highest;
+  std::int64_t peak = peak_rays_.load(std::memory_order_relaxed);
   while (with_new > peak && !peak_rays_.compare_exchange_weak(peak, with_new, std::memory_order_relaxed)) {
   }
 }

@@ -3,6 +3,7 @@
 #include "priority/block_pool.h"
 #include "priority/slot.h"
 
+#include <algorithm>
 #include <array>
 #include <atomic>
 #include <chrono>
@@ -79,8 +80,10 @@ class RayQueue {
   // Rays waiting here and in the workers' open blocks are counted by the workers, once in a few batches.
   /// Their number has changed by `change`, and was higher by `highest` in between.
   void count(std::int64_t change, std::int64_t highest);
-  std::uint64_t waiting() const { return waiting_.load(std::memory_order_relaxed); }
-  std::uint64_t peak_rays() const { return peak_rays_.load(std::memory_order_relaxed); }
+  std::uint64_t waiting() const {
+    return static_cast<std::uint64_t>(std::max<std::int64_t>(0, waiting_.load(std::memory_order_relaxed)));
+  }
+  std::uint64_t peak_rays() const { return static_cast<std::uint64_t>(peak_rays_.load(std::memory_order_relaxed)); }
 
  private:
   using Clock = std::chrono::steady_clock;
@@ -115,8 +118,8 @@ class RayQueue {
   std::atomic<bool> closed_ = false;  // changed under the lock only, as are the next
   std::atomic<int> top_ = kNoSlot;
   std::atomic<int> idle_ = 0;
-  alignas(64) std::atomic<std::uint64_t> waiting_ = 0;
-  std::atomic<std::uint64_t> peak_rays_ = 0;
+  alignas(64) std::atomic<std::int64_t> waiting_ = 0;
+  std::atomic<std::int64_t> peak_rays_ = 0;
 };
 
 }  // namespace firstlight::priority

@@ -1,6 +1,7 @@
 #include "priority/worker.h"
 
 #include "priority/steering.h"
+#include "render/math/interrupt.h"
 
 #include <algorithm>
 #include <utility>
@@ -84,6 +85,7 @@ void Worker::trace_primaries() {
   if (!frame_.primaries().next(number_, primaries_)) return;
   frame_.expect_light(primaries_.rays.tasks);
   stepper_.step_primary(primaries_.rays.tasks, primaries_.rays.rays);
+  if (render::Interrupt::seen()) return;  // half a step is no part of the sum
   frame_.add(stepper_.light(), stepper_.counts(), tally_);
   scheme_->learn(primaries_.rays.tasks, stepper_.light(), stepper_.spawned());
   frame_.lit(primaries_);
@@ -113,6 +115,7 @@ std::uint64_t Worker::trace_block(Block* block) {
   const std::uint64_t taken = render::ray_count(block->span());
   frame_.expect_light(block->span());
   stepper_.step(block->span());
+  if (render::Interrupt::seen()) return 0;
   frame_.add(stepper_.light(), stepper_.counts(), tally_);
   scheme_->learn(block->span(), stepper_.light(), stepper_.spawned());
   open_.release(block);

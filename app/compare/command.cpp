@@ -6,6 +6,7 @@
 #include "app/compare/process.h"
 #include "app/compare/record_json.h"
 #include "app/compare/record_text.h"
+#include "app/output.h"
 #include "app/pov_switches.h"
 #include "app/progress.h"
 #include "app/render_command.h"
@@ -14,7 +15,6 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
-#include <cstdio>
 #include <filesystem>
 #include <system_error>
 
@@ -23,22 +23,19 @@ namespace {
 
 namespace fs = std::filesystem;
 
-void complain(const std::string& text) { std::fputs((text + "\n").c_str(), stderr); }
-
 int fail(const std::string& why) {
-  complain("firstlight: error: " + why);
+  say_error(why);
   return kExitUnreadable;
 }
 
 /// `code`, or a failure when the standard output cannot be written.
 int print(const std::string& text, int code) {
-  const bool written = std::fwrite(text.data(), 1, text.size(), stdout) == text.size();
-  if (!written || std::fflush(stdout) != 0) return fail("cannot write to the standard output");
-  return code;
+  const std::string problem = print_result(text);
+  return problem.empty() ? code : fail(problem);
 }
 
 int interrupted() {
-  complain("firstlight: interrupted");
+  say("firstlight: interrupted");
   return kExitInterrupted;
 }
 
@@ -171,7 +168,7 @@ int compare_one_scene(CompareCommandLine& line, const std::atomic<bool>& stop) {
     if (!why.empty()) return fail(why);
   }
   const int code = exit_code(record.status);
-  if (!record.difference) complain("firstlight: error: " + trouble(record));
+  if (!record.difference) say("firstlight: error: " + trouble(record));
   if (line.json) return print(scene_json(record, kept), code);
   return record.difference ? print(report(record, line.settings), code) : code;
 }

@@ -3,6 +3,7 @@
 #include "app/antialias.h"
 #include "app/front_ends.h"
 #include "app/load_scene.h"
+#include "app/output.h"
 #include "app/progress.h"
 #include "app/render_command.h"
 #include "app/study/measure.h"
@@ -11,12 +12,12 @@
 #include "parser/function_text.h"
 #include "parser/parser.h"
 #include "priority/order.h"
+#include "render/math/interrupt.h"
 #include "render/scene/file_encoding.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cstdio>
 #include <filesystem>
 #include <memory>
 #include <thread>
@@ -26,12 +27,12 @@ namespace firstlight::app {
 namespace {
 
 int fail(const std::string& why) {
-  fmt::print(stderr, "firstlight: error: {}\n", why);
+  say_error(why);
   return kExitFailure;
 }
 
 int interrupted() {
-  fmt::print(stderr, "firstlight: interrupted; no report written\n");
+  say("firstlight: interrupted; no report written");
   return kExitInterrupted;
 }
 
@@ -76,16 +77,17 @@ std::string choose_schemes(const StudyOptions& options, StudyPlan& plan) {
 }  // namespace
 
 int study_command(std::span<const std::string> arguments, const std::atomic<bool>& stop) {
+  const render::Interrupt interrupt(stop);
   const StudyCommandLine line = parse_study_command_line(arguments);
   if (line.wish == StudyCommandLine::Wish::help) {
-    fmt::print("{}", study_help_text());
-    return 0;
+    const std::string problem = print_result(study_help_text());
+    return problem.empty() ? 0 : fail(problem);
   }
-  for (const std::string& error : line.errors) fmt::print(stderr, "firstlight: error: {}\n", error);
+  for (const std::string& error : line.errors) say_error(error);
   if (!line.errors.empty()) return kExitFailure;
   const Options& options = line.options.scene;
   for (const std::string& warning : line.warnings) {
-    if (!options.quiet) fmt::print(stderr, "firstlight: warning: {}\n", warning);
+    if (!options.quiet) say_warning(warning);
   }
 
   // Declared before everything the scene is kept in: the module has to live longer than its scene.
@@ -97,6 +99,7 @@ int study_command(std::span<const std::string> arguments, const std::atomic<bool
   if (loaded.scene == nullptr) return stop ? kExitInterrupted : kExitFailure;
   const render::Accel accel(*loaded.scene,
                             line.options.every_feeler ? render::Foresight::none : render::Foresight::some);
+  if (stop) return interrupted();
 
   StudyPlan plan;
   plan.scene = loaded.scene.get();
@@ -127,7 +130,7 @@ int study_command(std::span<const std::string> arguments, const std::atomic<bool
   if (problem.empty()) problem = folder.error();
   if (problem.empty()) problem = folder.write(study);
   if (!problem.empty()) return fail(problem);
-  if (!options.quiet) fmt::print(stderr, "{}: the report, CSV files beside it\n", folder.page());
+  if (!options.quiet) say(folder.page() + ": the report, CSV files beside it");
   return 0;
 }
 

@@ -1,5 +1,7 @@
 #include "render/accel/leaves.h"
 
+#include "render/math/interrupt.h"
+
 #include <algorithm>
 #include <limits>
 
@@ -29,7 +31,9 @@ Leaves::Leaves(const Scene& scene) {
   std::vector<TreeItem> items;
   std::vector<ChildRef> outside;
   std::vector<RoundSphere> round;
+  constexpr std::size_t kSolidsBetween = 4096;
   for (std::size_t i = 0; i < scene.solids.size(); ++i) {
+    if (i % kSolidsBetween == 0 && Interrupt::asked()) return;
     const Solid& solid = scene.solids[i];
     const Box3 world_box = solid.box();
     if (world_box.isEmpty()) continue;
@@ -64,6 +68,7 @@ Leaves::Leaves(const Scene& scene) {
     }
   }
   tree = WideTree(items);
+  if (Interrupt::asked()) return;
   if (!tree.built()) {
     for (const TreeItem& item : items) outside.push_back(item.leaf);
   }

@@ -1,5 +1,7 @@
 #include "render/accel/light_buffer.h"
 
+#include "render/math/interrupt.h"
+
 #include <algorithm>
 #include <cmath>
 
@@ -285,7 +287,7 @@ LightBuffer::LightBuffer(const Leaves& leaves, std::span<const Light> lights) {
     tiles_.assign(lights.size() * tiles_of_cube(), 0);
     Builder builder(*this, leaves);
     std::size_t l = 0;
-    while (l < lights.size() && builder.mark_cube(l, lights[l].position)) ++l;
+    while (l < lights.size() && !Interrupt::asked() && builder.mark_cube(l, lights[l].position)) ++l;
     if (l == lights.size()) {
       mark_open_tiles();
       keep_spheres(leaves);
@@ -306,8 +308,10 @@ int LightBuffer::side_for(const Leaves& leaves, std::span<const Light> lights) {
   // be, it does not matter how many they are.
   const std::size_t far_too_many = 64 * most;
   std::size_t marks = 0;
-  for (const Light& light : lights)
+  for (const Light& light : lights) {
+    if (Interrupt::asked()) break;
     marks += builder.measure(light.position, far_too_many - std::min(marks, far_too_many));
+  }
   for (; side > kFewestCells && marks > most; marks /= 4) side /= 2;
   return side;
 }

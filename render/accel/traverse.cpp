@@ -13,6 +13,7 @@
 
 #include "render/accel/box_test-inl.h"
 #include "render/accel/leaf_test-inl.h"
+#include "render/math/interrupt.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace firstlight::render {
@@ -169,6 +170,8 @@ struct Visits {
 
 /// How many pairs are taken at a time: none waits for another, so the processor works on several at once.
 constexpr std::size_t kTogether = 16;
+/// Between two questions whether to go on; a turn takes a microsecond or less, but for what solids need.
+constexpr unsigned kTurnsBetween = 256;
 using LeafVisits = Visits<kTogether * kTreeWidth>;
 /// The pairs taken are opened from the bottom of the stack to its top, so that the nodes on it lie by their depth.
 /// Pairs of a depth come only when those of the depth above are taken, which lie below: there are never more of a depth
@@ -189,7 +192,8 @@ HWY_INLINE void walk_together(const WideTree& tree, const FloatRays& rays, Searc
     nodes.ray[node_count] = static_cast<std::uint32_t>(__builtin_ctzll(bits));
     nodes.ref[node_count++] = 0;
   }
-  while (node_count != 0) {
+  for (unsigned turns = 1; node_count != 0; ++turns) {
+    if (turns % kTurnsBetween == 0 && Interrupt::asked()) return;
     const std::size_t taken = std::min(node_count, kTogether);
     node_count -= taken;
     std::uint32_t ray[kTogether];
@@ -245,12 +249,13 @@ HWY_INLINE void walk(const Leaves& leaves, const RayBlock& rays, FloatRays& floa
   if (!leaves.tree.nodes().empty()) {
     float_rays.near &= all;
     walk_together(leaves.tree, float_rays, search);
-    for (std::uint64_t bits = all & ~float_rays.usable; bits != 0; bits &= bits - 1) {
+    for (std::uint64_t bits = all & ~float_rays.usable; bits != 0 && !Interrupt::asked(); bits &= bits - 1) {
       const auto i = static_cast<std::size_t>(__builtin_ctzll(bits));
       walk_exactly(leaves.tree, ExactRay(rays, float_rays.exact_inverse, i), i, search);
     }
   }
   for (const ChildRef ref : leaves.beside) {
+    if (Interrupt::asked()) return;
     for (std::uint64_t bits = all; bits != 0; bits &= bits - 1) {
       search.visit(static_cast<std::size_t>(__builtin_ctzll(bits)), ref);
     }

@@ -1,8 +1,11 @@
 #include "render/accel/wide_tree.h"
 
+#include "render/math/interrupt.h"
+
 #include <embree3/rtcore.h>
 
 #include <algorithm>
+#include <atomic>
 #include <cmath>
 #include <memory>
 
@@ -32,6 +35,11 @@ void set_children(void* node, void** children, unsigned count, void*) {
   auto& parent = *static_cast<BuildNode*>(node);
   parent.child_count = count;
   for (unsigned i = 0; i < count; ++i) parent.children[i] = static_cast<BuildNode*>(children[i]);
+}
+
+/// The builder runs on threads of its own, too. `wish` may be null.
+bool goes_on(void* wish, double) {
+  return wish == nullptr || !static_cast<const std::atomic<bool>*>(wish)->load(std::memory_order_relaxed);
 }
 
 void set_bounds(void*, const RTCBounds**, unsigned, void*) {}
@@ -210,8 +218,10 @@ WideTree::WideTree(std::span<const TreeItem> items) {
   arguments.setNodeChildren = set_children;
   arguments.setNodeBounds = set_bounds;
   arguments.createLeaf = create_leaf;
+  arguments.buildProgress = goes_on;
+  arguments.userPtr = const_cast<std::atomic<bool>*>(Interrupt::wish());
   const auto* root = static_cast<const BuildNode*>(rtcBuildBVH(&arguments));
-  if (!root) return;
+  if (!root || Interrupt::asked()) return;
 
   nodes_.reserve(items.size() / 4 + 1);
   Flattener flattener(items, boxes, nodes_, sphere_groups_);

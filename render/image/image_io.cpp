@@ -2,6 +2,7 @@
 
 #include "render/image/codec.h"
 #include "render/image/file_formats.h"
+#include "render/image/link_target.h"
 
 #include <fmt/format.h>
 #include <unistd.h>
@@ -99,15 +100,11 @@ std::vector<std::uint8_t> encode(const Format& format, const ImageCodec::Pixels&
 std::string write(const std::string& path, const Format& format, const ImageCodec::Pixels& pixels) {
   if (pixels.width <= 0 || pixels.height <= 0) return refusal(path, "the picture has no pixels");
   std::error_code ignored;
-  fs::path target(path);
+  // A link stays a link: the file it points to is made or replaced.
+  const fs::path target = link_target(path);
   if (!target.has_filename()) return refusal(path, "that names a folder, not a file");
   if (target.has_parent_path() && !fs::is_directory(target.parent_path(), ignored)) {
     return refusal(path, fmt::format("there is no folder '{}'", target.parent_path().string()));
-  }
-  // A link stays a link: the file it points to is replaced.
-  if (fs::is_symlink(target, ignored)) {
-    const fs::path pointed = fs::weakly_canonical(target, ignored);
-    if (!ignored) target = pointed;
   }
   const fs::file_status status = fs::status(target, ignored);
   if (fs::is_directory(status)) return refusal(path, "that is a folder");

@@ -1,6 +1,7 @@
 #include "render/scene/solid.h"
 
 #include "render/math/box_tree.h"
+#include "render/math/interrupt.h"
 
 #include <algorithm>
 #include <cstddef>
@@ -42,11 +43,19 @@ std::vector<Box3> boxes_of(const std::vector<Solid>& solids) {
   return boxes;
 }
 
-/// Removes from `out`, from index `first` on, what `belongs` refuses; keeps the order.
+/// Removes from `out`, from index `first` on, what `belongs` refuses; keeps the order. Of many crossings each may ask
+/// for many solids.
 template <class Belongs>
 void keep_if(std::vector<Crossing>& out, std::size_t first, const Belongs& belongs) {
   const auto begin = out.begin() + static_cast<std::ptrdiff_t>(first);
-  out.erase(std::remove_if(begin, out.end(), [&](const Crossing& c) { return !belongs(c); }), out.end());
+  constexpr unsigned kCrossingsBetween = 8;
+  unsigned count = 0;
+  bool leave = false;
+  const auto refuses = [&](const Crossing& c) {
+    leave = leave || (++count % kCrossingsBetween == 0 && Interrupt::asked());
+    return leave || !belongs(c);
+  };
+  out.erase(std::remove_if(begin, out.end(), refuses), out.end());
 }
 
 /// POV-Ray moves the crossings of each member from one stack to another, which turns their order around; equal depths
@@ -216,6 +225,7 @@ void Solid::add_member_crossings(const Solid& member, const Ray& ray, std::uint8
 
 void Solid::crossings(const Ray& ray, std::uint8_t hidden_bit, std::vector<Crossing>& out) const {
   if (is_plain()) return add_shape_crossings(ray, out);
+  if (Interrupt::asked()) return;
   const Structure& structure = *structure_;
   for (std::size_t i = 0; i < structure.bounds.size(); ++i) {
     if (!reaches(ray, structure.bounds[i], structure.bound_boxes[i], hidden_bit, out)) return;
@@ -231,7 +241,7 @@ void Solid::crossings(const Ray& ray, std::uint8_t hidden_bit, std::vector<Cross
     // In the order of the members, which decides equal depths.
     std::sort(members_to_ask.begin() + static_cast<std::ptrdiff_t>(mark), members_to_ask.end());
     const std::size_t end = members_to_ask.size();
-    for (std::size_t i = mark; i < end; ++i) {
+    for (std::size_t i = mark; i < end && !Interrupt::asked(); ++i) {
       add_member_crossings(structure.members[members_to_ask[i]], ray, hidden_bit, hiding, out);
     }
     members_to_ask.resize(mark);

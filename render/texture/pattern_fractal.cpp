@@ -1,5 +1,6 @@
 // Mandelbrot's and Julia's sets, and the two of a model of magnets.
 
+#include "render/math/interrupt.h"
 #include "render/texture/field.h"
 #include "render/texture/patterns.h"
 
@@ -16,6 +17,12 @@ struct Orbit {
   int rounds = 0;
   bool left = false;
 };
+
+/// A scene may ask for two thousand million rounds: whether to leave with the orbit as it is.
+bool is_interrupted(int rounds) {
+  constexpr int kRoundsBetween = 1 << 12;
+  return rounds % kRoundsBetween == kRoundsBetween - 1 && Interrupt::asked();
+}
 
 double exterior_value(const FractalParameters& fractal, const Orbit& orbit) {
   const double factor = fractal.exterior_factor;
@@ -96,7 +103,7 @@ Orbit power_orbit(const FractalParameters& fractal, Complex z, const Complex& c)
     const double distance = z.a * z.a + z.b * z.b;
     orbit.nearest = std::min(orbit.nearest, distance);
     orbit.left = distance > kFar;
-    if (orbit.left) break;
+    if (orbit.left || is_interrupted(orbit.rounds)) break;
   }
   orbit.a = z.a;
   orbit.b = z.b;
@@ -135,7 +142,7 @@ Orbit magnet_orbit(const FractalParameters& fractal, Complex z, const Complex& c
     const double distance = z.a * z.a + z.b * z.b;
     orbit.nearest = std::min(orbit.nearest, distance);
     orbit.left = distance > kFar || (z.a - 1.0) * (z.a - 1.0) + z.b * z.b < kAtOne;
-    if (orbit.left) break;
+    if (orbit.left || is_interrupted(orbit.rounds)) break;
   }
   orbit.a = z.a;
   orbit.b = z.b;

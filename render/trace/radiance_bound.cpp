@@ -1,5 +1,6 @@
 #include "render/trace/radiance_bound.h"
 
+#include "render/math/interrupt.h"
 #include "render/trace/surface_limits.h"
 
 #include <algorithm>
@@ -24,7 +25,7 @@ RadianceBound::RadianceBound(const Scene& scene) {
   const int levels = std::max(scene.settings.max_trace_level, 1);
   most_.assign(static_cast<std::size_t>(std::max(levels, 256)), 0.0f);
   double next = 0.0;
-  for (int level = levels - 1; level >= 0; --level) {
+  for (int level = levels - 1; level >= 0 && !Interrupt::asked(); --level) {
     double most = std::max(next, limits.background);
     const auto include = [&](double light) {
       known_ = known_ && light <= kLargest;  // false for what is not a number, too

@@ -1,5 +1,6 @@
 // The surfaces that rays meet: their own light, lights as if unoccluded, and the rays they send on.
 
+#include "render/math/interrupt.h"
 #include "render/trace/fade.h"
 #include "render/trace/local_light.h"
 #include "render/trace/step.h"
@@ -127,7 +128,7 @@ void Stepper::shade() {
   if (block.layer_count > 0) {
     const std::span<const Light> lights = context_.scene.lights;
     const FeelerStarts starts{block.point, block.normal, block.size, block.lit_from_behind};
-    for (std::size_t first = 0; first < lights.size(); first += kLightsAtOnce) {
+    for (std::size_t first = 0; first < lights.size() && !Interrupt::asked(); first += kLightsAtOnce) {
       const std::size_t count = std::min(kLightsAtOnce, lights.size() - first);
       context_.accel.foresee(starts, first, lights.subspan(first, count), block.foreseen);
       light_hits(block, lights.subspan(first, count));

@@ -1,5 +1,6 @@
 #include "render/trace/step.h"
 
+#include "render/math/interrupt.h"
 #include "render/trace/fade.h"
 
 #include <algorithm>
@@ -60,7 +61,7 @@ Stepper::Stepper(const TraceContext& context, std::shared_ptr<const SurfaceTable
 void Stepper::step(std::span<const RayTask> tasks) {
   begin(tasks);
   // Blocks from the queue hold one kind; whatever comes mixed is cut into runs.
-  for (std::size_t first = 0; first < tasks.size();) {
+  for (std::size_t first = 0; first < tasks.size() && !Interrupt::asked();) {
     const bool shadow = tasks[first].kind == RayKind::shadow;
     const std::size_t most = shadow ? tasks.size() - first : std::min(tasks.size() - first, kRaysAtOnce);
     std::size_t count = 1;
@@ -78,7 +79,7 @@ void Stepper::step(std::span<const RayTask> tasks) {
 
 void Stepper::step_primary(std::span<const RayTask> tasks, std::span<const Ray> rays) {
   begin(tasks);
-  for (std::size_t first = 0; first < tasks.size(); first += kRaysAtOnce) {
+  for (std::size_t first = 0; first < tasks.size() && !Interrupt::asked(); first += kRaysAtOnce) {
     const std::size_t count = std::min(tasks.size() - first, kRaysAtOnce);
     step_radiance(tasks.subspan(first, count), rays.subspan(first, count), std::span(light_).subspan(first, count));
   }
@@ -141,7 +142,7 @@ void Stepper::step_radiance(std::span<const RayTask> tasks, std::span<const Ray>
 
 void Stepper::step_shadow(std::span<const RayTask> tasks, std::span<Contribution> light) {
   FeelerBlock& block = *feelers_;
-  for (std::size_t first = 0; first < tasks.size();) {
+  for (std::size_t first = 0; first < tasks.size() && !Interrupt::asked();) {
     // As many records as fit whole.
     block.rays.size = 0;
     std::size_t end = first;
@@ -188,7 +189,7 @@ Rgb Stepper::passing_light(std::uint32_t medium, Ray ray, double distance) const
   const Scene& scene = context_.scene;
   MediumTable& media = context_.media;
   Rgb passed(1.0f);
-  while (distance > 2.0 * kShadowGap && !is_black(passed)) {
+  while (distance > 2.0 * kShadowGap && !is_black(passed) && !Interrupt::asked()) {
     const RayQuery query{ray, kShadowGap, distance - kShadowGap, kHiddenFromShadow};
     Hit hit;
     context_.accel.closest({&query, 1}, {&hit, 1});
@@ -232,7 +233,7 @@ Rgb Stepper::trace_sealed(const RayTask& root) {
   const RayCounts before = sealed_->counts_;
   FixedRgb sum;
   std::vector<RayTask> waiting{root};
-  while (!waiting.empty()) {
+  while (!waiting.empty() && !Interrupt::asked()) {
     const RayTask task = waiting.back();
     waiting.pop_back();
     sealed_->step({&task, 1});

@@ -46,6 +46,7 @@ struct TraceContext {
 ///           if unoccluded; a shadow child carries what it must take back when it is blocked.
 /// Source    Yagel & Meeker 1997, eq. 3-9; the local terms, weights and levels are POV-Ray 3.7's.
 /// Order     The contributions and tasks of a batch do not depend on how tasks are grouped into batches.
+/// Ends      While an Interrupt lives, early when it is asked to: what a step then brings is of no use.
 /// Threads   One Stepper a thread.
 class Stepper {
  public:

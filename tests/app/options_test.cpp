@@ -221,6 +221,38 @@ TEST(Options, WrongNumbersAreNamed) {
   EXPECT_NE(complaint({"+WT0x"}).find("expected a whole number"), std::string::npos);
 }
 
+TEST(Options, FileTypesHaveTheDepthThatIsAskedForOrAreRefused) {
+  for (const char type : {'N', 'T', 'C', 'P', 'B'}) {
+    const std::string option = std::string("+F") + type;
+    for (const char* bits : {"", "5", "8"}) EXPECT_EQ(good({option + bits}).file_type, type);
+    for (const char* bits : {"1", "4", "9", "12", "16", "32"}) {
+      EXPECT_NE(complaint({option + bits}).find("are written with 8 bits"), std::string::npos) << option << bits;
+    }
+  }
+  EXPECT_EQ(good({"+FE32"}).bits, 32);
+  EXPECT_EQ(good({"+FH8"}).bits, 8);
+  EXPECT_NE(complaint({"+FE16"}).find("OpenEXR files are written with 32 bits"), std::string::npos);
+  EXPECT_NE(complaint({"+FH16"}).find("Radiance files are written with 8 bits"), std::string::npos);
+  EXPECT_NE(complaint({"Output_File_Type=P16"}).find("+FP16"), std::string::npos);
+  for (const char* word : {"+FJ90", "+FJ8", "+FJ100"}) {
+    EXPECT_NE(complaint({word}).find("quality"), std::string::npos) << word;
+  }
+  for (const char* word : {"+FNg", "+fpG", "+FJg"}) {
+    EXPECT_NE(complaint({word}).find("gray"), std::string::npos) << word;
+  }
+  EXPECT_NE(complaint({"+FN8x"}).find("expected bits per channel"), std::string::npos);
+  EXPECT_NE(complaint({"+FN-8"}).find("expected bits per channel"), std::string::npos);
+  EXPECT_EQ(good({"+FN8", "+FE"}).bits, 0) << "the number belongs to its type";
+}
+
+TEST(Options, SamplesWithoutNumberAreRefused) {
+  EXPECT_NE(complaint({"+A0", "+R9", "+AM2"}).find("samples"), std::string::npos);
+  EXPECT_NE(complaint({"+A0", "+R9", "+W20000", "+H20000"}).find("samples"), std::string::npos);
+  EXPECT_TRUE(good({"+A0", "+R9"}).antialias);
+  EXPECT_TRUE(good({"+A0", "+R4", "+AM2"}).antialias);
+  EXPECT_TRUE(good({"+A0.1", "+R9", "+AM2"}).antialias);
+}
+
 TEST(Options, UnknownOnesAreAnsweredWithTheNearest) {
   EXPECT_NE(complaint({"--shceme=level"}).find("--scheme"), std::string::npos);
   EXPECT_NE(complaint({"--thread"}).find("--threads"), std::string::npos);
@@ -273,6 +305,12 @@ TEST(Options, HelpAndVersionWinOverMistakes) {
   EXPECT_EQ(parse({"--help", "+Wx"}).wish, CommandLine::Wish::help);
   EXPECT_EQ(parse({"--version"}).wish, CommandLine::Wish::version);
   EXPECT_TRUE(parse({"--version"}).errors.empty());
+  for (const char* word : {"-h", "-H", "-?", "-help"}) {
+    EXPECT_EQ(parse({"scene.pov", word}).wish, CommandLine::Wish::help) << word;
+  }
+  for (const char* word : {"-version", "--V", "--v"}) {
+    EXPECT_EQ(parse({"scene.pov", word}).wish, CommandLine::Wish::version) << word;
+  }
   for (const char* word :
        {"--threads", "--scheme", "--boost", "--queue-memory", "--stop-at-error", "--stop-after", "--steer", "--stats",
         "--snapshots", "--front-end", "--quiet", "+Wn", "ray-type", ".ini", "firstlight steer", "space"}) {

@@ -207,7 +207,7 @@ TEST(TerminalKeys, TheTerminalIsGivenBackHoweverTheProgramEnds) {
     EXPECT_FALSE(terminal.is_ordinary());
     terminal.signal(signal);
     const int code = terminal.wait_for_end(kSoon);
-    EXPECT_EQ(code, signal == SIGINT || signal == SIGTERM ? 130 : -1) << terminal.text();
+    EXPECT_EQ(code, signal == SIGINT || signal == SIGTERM || signal == SIGHUP ? 130 : -1) << terminal.text();
     EXPECT_TRUE(terminal.is_ordinary());
     EXPECT_FALSE(fs::exists(scratch / "picture.png"));
   }

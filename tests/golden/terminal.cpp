@@ -9,6 +9,7 @@
 
 #include <array>
 #include <stdexcept>
+#include <utility>
 
 namespace firstlight::golden {
 namespace {
@@ -41,7 +42,7 @@ Terminal::~Terminal() {
     kill(child_, SIGKILL);
     waitpid(child_, nullptr, 0);
   }
-  close(terminal_);
+  if (terminal_ >= 0) close(terminal_);
 }
 
 void Terminal::type(const std::string& keys) const {
@@ -51,6 +52,8 @@ void Terminal::type(const std::string& keys) const {
 }
 
 void Terminal::signal(int number) const { kill(child_, number); }
+
+void Terminal::go_away() { close(std::exchange(terminal_, -1)); }
 
 void Terminal::read() {
   pollfd waiting{terminal_, POLLIN, 0};

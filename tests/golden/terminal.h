@@ -22,6 +22,8 @@ class Terminal {
   void type(const std::string& keys) const;
   /// Sends a signal to the program, as another program would.
   void signal(int number) const;
+  /// Takes the terminal away from under the program; nothing can be read or typed any more.
+  void go_away();
   /// Reads until the program has written `text`; false when it has not within `limit`.
   bool wait_for(const std::string& text, std::chrono::seconds limit);
   /// Waits for the program's end: its exit code, -1 when a signal ended it or the limit did.

@@ -293,6 +293,16 @@ TEST(RayQueue, CountsWaitingRaysAndTheirPeak) {
   EXPECT_EQ(bench.queue->peak_rays(), 150u);
 }
 
+TEST(RayQueue, MayBeToldOfRaysThatWereTakenBeforeThoseThatCame) {
+  Bench bench;
+  bench.queue->count(-60, 0);
+  EXPECT_EQ(bench.queue->waiting(), 0u);
+  EXPECT_EQ(bench.queue->peak_rays(), 0u);
+  bench.queue->count(100, 100);
+  EXPECT_EQ(bench.queue->waiting(), 40u);
+  EXPECT_EQ(bench.queue->peak_rays(), 40u);
+}
+
 TEST(OpenBlocks, KeepEveryRayUnderItsKey) {
   Bench bench;
   const auto open = std::make_unique<OpenBlocks>(bench.pool, *bench.queue, 0);
