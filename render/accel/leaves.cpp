@@ -55,7 +55,7 @@ Leaves::Leaves(const Scene& scene) {
       boxes.push_back({box->axis_box(), bounds, head});
     } else {
       ref = next_ref(ChildKind::solid, solids.size());
-      solids.push_back({&solid, bounds, head});
+      solids.push_back({&solid, bounds, head, solid.is_cramped()});
     }
     if (WideTree::fits(world_box)) {
       items.push_back({world_box, ref});

@@ -48,6 +48,7 @@ struct SolidLeaf {
   const Solid* geometry;
   FloatBox bounds;
   LeafHead head;
+  bool is_cramped;  ///< of the solid
 };
 
 /// The scene's solids as the traversal meets them. Round spheres, axis-aligned boxes and planes without clips and

@@ -37,6 +37,7 @@ struct UnitRay {
 ///     Vec3 normal(const Vec3& point, std::uint32_t face) const;      outward, of any length
 ///     Box3 bounds() const;
 ///     Box3 inside_bounds() const;
+///     Box3 given_bounds() const;                                     may be left out: as bounds()
 ///
 /// A Local is a small value; placing a shape copies it and composes the transformations.
 template <class Local>
@@ -56,6 +57,10 @@ class Placed final : public Shape {
     return inverted_ ? -n : n;
   }
   Box3 bounds() const override { return transform_.box(local_.bounds()); }
+  Box3 given_bounds() const override {
+    if constexpr (requires { local_.given_bounds(); }) return transform_.box(local_.given_bounds());
+    return bounds();
+  }
   Box3 inside_bounds() const override { return inverted_ ? boundless_box() : transform_.box(local_.inside_bounds()); }
   Box3 outside_bounds() const override { return inverted_ ? transform_.box(local_.inside_bounds()) : boundless_box(); }
   ShapePtr placed(const Transform& transform) const override {

@@ -26,7 +26,7 @@ struct EllipsoidBase {
     return inverted ? distance_squared > radius * radius : distance_squared < radius * radius;
   }
   Vec3 normal(const Vec3& point, std::uint32_t) const { return point - center; }
-  Box3 bounds() const { return sphere_box(center, radius); }
+  Box3 bounds() const { return sphere_box(center, std::abs(radius)); }
   Box3 inside_bounds() const { return bounds(); }
 };
 
@@ -47,7 +47,7 @@ double similarity_factor(const Mat4& m) {
 }  // namespace
 
 Sphere::Sphere(const Vec3& center, double radius, bool inverted)
-    : center_(center), radius_(std::abs(radius)), inverted_(inverted) {}
+    : center_(center), radius_(radius), inverted_(inverted) {}
 
 void Sphere::crossings(const Ray& ray, std::vector<Crossing>& out) const {
   double enters;
@@ -64,7 +64,9 @@ Vec3 Sphere::normal(const Vec3& point, const Crossing&) const {
   return inverted_ ? -n : n;
 }
 
-Box3 Sphere::bounds() const { return sphere_box(center_, radius_); }
+Box3 Sphere::bounds() const { return sphere_box(center_, std::abs(radius_)); }
+
+Box3 Sphere::given_bounds() const { return sphere_box(center_, radius_); }
 
 Box3 Sphere::inside_bounds() const { return inverted_ ? boundless_box() : bounds(); }
 

@@ -37,6 +37,7 @@ class Sphere final : public Shape {
   bool inside(const Vec3& point) const override;
   Vec3 normal(const Vec3& point, const Crossing& crossing) const override;
   Box3 bounds() const override;
+  Box3 given_bounds() const override;
   Box3 inside_bounds() const override;
   Box3 outside_bounds() const override;
   ShapePtr placed(const Transform& transform) const override;
@@ -44,7 +45,7 @@ class Sphere final : public Shape {
 
  private:
   Vec3 center_;
-  double radius_;
+  double radius_;  ///< where it is negative, normals point inwards
   bool inverted_;
 };
 

@@ -9,6 +9,9 @@
 namespace firstlight::render {
 namespace {
 
+/// On all sides of the box about a triangle, which scenes may ask for. [POV-Ray 3.7]
+constexpr double kPadding = 1e-10;
+
 /// The axis of the largest component; of equals the last, as POV-Ray has it.
 int dominant_axis(const Vec3& v) {
   const double x = std::abs(v.x);
@@ -148,6 +151,8 @@ Box3 FlatTriangle::bounds() const {
   Box3 box;
   if (!valid_) return box;
   for (const Vec3& corner : corners_) box.extendBy(corner);
+  box.min -= Vec3(kPadding);
+  box.max += Vec3(kPadding);
   return box;
 }
 

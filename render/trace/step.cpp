@@ -223,7 +223,8 @@ void Stepper::add_sealed(const Surface& surface, RayTask root, double exponent) 
   const Rgb weight = root.weight();
   root.set_weight(Rgb(1.0f), root.adc_weight());
   const Rgb color = trace_sealed(root);
-  const auto power = [exponent](float c) { return c > 0.0f ? static_cast<float>(std::pow(c, exponent)) : 0.0f; };
+  // Of negative light too: it has a square, and no square root, which counts as 0.
+  const auto power = [exponent](float c) { return static_cast<float>(std::pow(c, exponent)); };
   surface.sum->light += FixedRgb::from(weight * Rgb(power(color.x), power(color.y), power(color.z)));
 }
 
