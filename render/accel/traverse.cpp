@@ -74,7 +74,7 @@ class ClosestSearch {
       for (std::size_t m = met.count; m-- > 0;) offer(i, met.depth[m], met.face[m], leaf.head, from);
     } else {
       const SolidLeaf& leaf = leaves_.solids[ref.index()];
-      if (hidden(i, leaf.head) || !exact(i).meets(leaf.bounds, from) || from > limit(i)) return;
+      if (leaf.only_blocks || hidden(i, leaf.head) || !exact(i).meets(leaf.bounds, from) || from > limit(i)) return;
       std::vector<Crossing>& scratch = scratch_of_thread();
       scratch.clear();
       leaf.geometry->crossings(ray_of(rays_, i), static_cast<std::uint8_t>(rays_.hidden_bit[i]), scratch);

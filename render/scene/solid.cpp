@@ -86,8 +86,8 @@ struct Solid::Structure {
   std::vector<Solid> clips;
   std::vector<Solid> bounds;
   std::optional<Extent> extent;
-  bool is_cramped = false;
-  Box3 box;  // of the whole; filled by close(), as all below
+  std::optional<Box3> given_box;  // of the extent, where the solid is cramped
+  Box3 box;                       // of the whole; filled by close(), as all below
   Reach reach;
   std::vector<Box3> member_boxes;     // asked before the members
   std::vector<Reach> member_reaches;  // likewise
@@ -157,7 +157,9 @@ Reach Solid::reach() const {
   return {roomy(shape->inside_bounds()), roomy(shape->outside_bounds())};
 }
 
-Box3 Solid::box() const { return is_plain() ? roomy(shape->bounds()) : structure_->box; }
+Box3 Solid::box() const { return is_cramped() ? *structure_->given_box : surface_box(); }
+
+Box3 Solid::surface_box() const { return is_plain() ? roomy(shape->bounds()) : structure_->box; }
 
 Extent Solid::extent() const {
   if (is_plain()) return render::extent(*shape);
@@ -171,12 +173,10 @@ void Solid::set_extent(const Extent& extent) {
   const bool was_plain = is_plain();
   structure_.change().extent = extent;
   if (was_plain) close();
-  if (!is_cramped) return;
-  structure_.change().is_cramped = true;
-  structure_.change().box = given;
+  if (is_cramped) structure_.change().given_box = given;
 }
 
-bool Solid::is_cramped() const { return !is_plain() && structure_->is_cramped; }
+bool Solid::is_cramped() const { return !is_plain() && structure_->given_box.has_value(); }
 
 void Solid::close() {
   if (is_plain()) return;

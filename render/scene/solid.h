@@ -53,6 +53,8 @@ class Solid {
   /// Whether some of it may lie outside of its extent: then box() is of the extent, and of a ray that meets the box, all
   /// crossings count.
   bool is_cramped() const;
+  /// As box(), without regard to the extent.
+  Box3 surface_box() const;
   const std::vector<Solid>& members() const;
   const std::vector<Solid>& clips() const;
   const std::vector<Solid>& bounds() const;

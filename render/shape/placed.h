@@ -38,6 +38,7 @@ struct UnitRay {
 ///     Box3 bounds() const;
 ///     Box3 inside_bounds() const;
 ///     Box3 given_bounds() const;                                     may be left out: as bounds()
+///     static constexpr bool kAsksBox;                                may be left out: true
 ///
 /// A Local is a small value; placing a shape copies it and composes the transformations.
 template <class Local>
@@ -65,6 +66,10 @@ class Placed final : public Shape {
   Box3 outside_bounds() const override { return inverted_ ? transform_.box(local_.inside_bounds()) : boundless_box(); }
   ShapePtr placed(const Transform& transform) const override {
     return std::make_shared<Placed>(local_, transform_.then(transform), inverted_);
+  }
+  bool asks_box() const override {
+    if constexpr (requires { Local::kAsksBox; }) return Local::kAsksBox;
+    return true;
   }
   ShapePtr inverted() const override { return std::make_shared<Placed>(local_, transform_, !inverted_); }
 

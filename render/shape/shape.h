@@ -48,6 +48,8 @@ class Shape {
   virtual std::shared_ptr<const Shape> placed(const Transform& transform) const = 0;
   /// The complement: inside and outside exchanged, surface unchanged.
   virtual std::shared_ptr<const Shape> inverted() const = 0;
+  /// Whether POV-Ray asks the shape's box whenever it asks the shape: not where the shape is asked as quickly.
+  virtual bool asks_box() const { return true; }
 };
 
 using ShapePtr = std::shared_ptr<const Shape>;

@@ -10,6 +10,7 @@ Box3 sphere_box(const Vec3& center, double radius) { return Box3(center - Vec3(r
 
 /// The sphere that an ellipsoid is before its transformation. Depth limits hold in this space, as in POV-Ray.
 struct EllipsoidBase {
+  static constexpr bool kAsksBox = false;
   Vec3 center;
   double radius;
 

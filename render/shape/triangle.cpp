@@ -38,6 +38,7 @@ class Triangle final : public Shape {
     const auto& [a, b, c] = flat_.corners();
     return std::make_shared<Triangle>(FlatTriangle({transform.point(a), transform.point(b), transform.point(c)}));
   }
+  bool asks_box() const override { return false; }
   ShapePtr inverted() const override { return std::make_shared<Triangle>(*this); }
 
  private:
@@ -83,6 +84,7 @@ class SmoothTriangle final : public Shape {
         Normals{transform.normal(na).normalized(), transform.normal(nb).normalized(),
                 transform.normal(nc).normalized()});
   }
+  bool asks_box() const override { return false; }
   ShapePtr inverted() const override { return std::make_shared<SmoothTriangle>(*this); }
 
  private:

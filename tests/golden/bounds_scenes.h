@@ -9,6 +9,7 @@ struct BoundsScene {
   std::string name;  ///< letters, digits and underscores
   std::string text;
   std::vector<std::string> words = {};  ///< options of both programs
+  double share = 99.5;                  ///< of 100 pixels that must agree
 };
 
 /// Of every kind at least six, made from lists of what is combined.

@@ -22,7 +22,7 @@ TEST_P(Bounds, AgreeWithPovRay) {
   GoldenScene scene;
   scene.name = "bounds_" + given.name;
   scene.file = scratch.write("scene.pov", given.text);
-  scene.share = 99.5;
+  scene.share = given.share;
   std::vector<std::string> words{"+W80", "+H60"};
   words.insert(words.end(), given.words.begin(), given.words.end());
   expect_agreement(scene, words);
