@@ -15,6 +15,7 @@ render::LoadResult load_scene(const Options& options, const render::FrontEnd& fr
   load.permission_files = options.permission_files;
   load.declares = options.declares;
   load.clock = options.clock;
+  load.bounding = options.bounding;
   load.parse_only = options.parse_only;
   std::size_t shown = 0;
   const auto show = [&](const render::Diagnostic& diagnostic) {

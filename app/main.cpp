@@ -82,8 +82,7 @@ int run(std::vector<std::string> arguments, std::chrono::steady_clock::time_poin
     return firstlight::app::study_command(std::span(arguments).subspan(1), g_stop);
   }
   if (!arguments.empty() && arguments[0] == "compare") {
-    watch_signal(SIGINT);
-    watch_signal(SIGTERM);
+    watch_signals();
     return firstlight::app::compare::compare_command(std::span(arguments).subspan(1), g_stop);
   }
   const CommandLine line = firstlight::app::parse_command_line(arguments);

@@ -108,6 +108,7 @@ std::string help_text() {
       "  +Kn           the scene's clock\n"
       "  +A0.3 +AM1    anti-aliasing: its threshold, and its method 1 or 2; -A switches it off. With it +R3 (depth),\n"
       "                +J0.5 or -J (jitter), +AG2.5 (gamma), +BS32 (block size); see docs/antialiasing.md\n"
+      "  -UR +SU       bounded_by counts of single shapes too, and not of unions of finite objects\n"
       "  declare=A=1   sets an identifier before the scene is read\n"
       "Also the long names of .ini files, such as Width=640. Switches that cannot change the picture, such as -D and\n"
       "+V, are accepted and have no effect; others that would are refused. An .ini file may hold all of these, and "

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "render/film/antialias_settings.h"
+#include "render/scene/bounding_rules.h"
 #include "render/scene/nearest.h"
 
 #include <cstddef>
@@ -26,6 +27,7 @@ struct Options {
   std::vector<std::string> library_paths;
   std::vector<std::pair<std::string, std::string>> declares;  ///< name, number
   double clock = 0.0;
+  render::BoundingRules bounding;
   std::optional<render::AntialiasSettings> antialias;  ///< none: one sample a pixel
 
   std::string scheme = "contribution";        ///< a scheme or a mixture, as priority::Order::parse reads it

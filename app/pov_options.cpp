@@ -181,6 +181,12 @@ bool PovOptions::apply(std::string_view word) {
         out_.errors.push_back(fmt::format("option '{}': a quality below full (9) is not available", word));
       }
       break;
+    case Use::remove_bounds:
+      options.bounding.remove_bounds = on;
+      break;
+    case Use::split_unions:
+      options.bounding.split_unions = on;
+      break;
     case Use::version:
       if (*parse<double>(parameter) != 3.7) {
         out_.errors.push_back(fmt::format("option '{}': only language version 3.7 can be set from outside", word));

@@ -30,6 +30,8 @@ enum class Use {
   jitter,
   block_size,
   quality,
+  remove_bounds,
+  split_unions,
   version,
   ignored,        ///< cannot change the finished picture
   refused,        ///< would change it

@@ -2,6 +2,7 @@
 
 #include "parser/expression.h"
 #include "parser/interpreter.h"
+#include "render/scene/extent.h"
 
 #include <algorithm>
 #include <memory>
@@ -90,7 +91,7 @@ Vec3 parse_extent(Interpreter& in, const Token& word) {
     in.note_unrendered(Feature::extent, word.location);
     return word.is(Keyword::min_extent) ? kMadeUpBox.min : kMadeUpBox.max;
   }
-  const render::Box3 box = render::extent(*object);
+  const render::Box3 box = render::extent(*object).box();
   return word.is(Keyword::min_extent) ? box.min : box.max;
 }
 

@@ -41,6 +41,7 @@ void append(Reader& reader, const Token& word, Object& object, render::ObjectLis
     grown->push_back(std::move(member));
   }
   list = std::move(grown);
+  object.cramped = true;
 }
 
 }  // namespace

@@ -28,6 +28,8 @@ void add_member(Reader& reader, const Token& at, Object& whole, const Object& me
   count_in(reader, at, whole, member);
   whole.textured = whole.textured || member.textured;
   whole.patch = whole.patch || member.patch;
+  // a disc is the half space behind it, and far beyond its box
+  whole.cramped = whole.cramped || member.cramped || member.word == spelling(Keyword::disc);
 }
 
 }  // namespace

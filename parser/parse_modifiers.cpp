@@ -156,6 +156,7 @@ void parse_modifiers(Reader& reader, SceneContext& context, const Token& word, O
       break;
     }
   }
+  render::finish_box(object);
   if (object.extras->interior_texture && !object.texture) {
     reader.fail(word, "an 'interior_texture' needs a 'texture' beside it");
   }

@@ -60,6 +60,7 @@ std::optional<Object> parse_shape(Reader& reader, SceneContext& context, const S
     object.extras.change().unrendered.add(feature_use(render::feature_of(*form), word));
   } else if (object.shape) {
     object.patch = shape.patch;
+    object.cramped = object.shape->given_bounds() != object.shape->bounds();
   } else {
     object = empty_object();
   }

@@ -38,6 +38,7 @@ render::LoadResult PovFrontEnd::load(const std::string& path, const render::Load
   failure.file = path;
   try {
     render::SceneBuilder builder;
+    builder.set_bounding(options.bounding);
     SceneContext context(builder);
     Interpreter interpreter(options, result.diagnostics, context);
     Reader reader(interpreter);

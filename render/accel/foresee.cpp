@@ -112,8 +112,9 @@ HWY_INLINE Sight look_through(const LightBuffer& buffer, unsigned open, hn::VFro
   const Points to_light{hn::Neg(way.x), hn::Neg(way.y), hn::Neg(way.z)};
   const V distance = hn::Sqrt(dot(way.x, way.y, way.z, way.x, way.y, way.z));
   const V dark = depth(2);
-  const auto in_dark =
-      hn::And(hn::Gt(distance, dark), hn::Lt(distance, hn::Mul(dark, hn::Set(d, LightBuffer::kFarthestDark))));
+  // No sphere is seen from beyond kMaxDistance, so it darkens nothing there.
+  const V dark_until = hn::Min(hn::Mul(dark, hn::Set(d, LightBuffer::kFarthestDark)), hn::Set(d, kMaxDistance));
+  const auto in_dark = hn::And(hn::Gt(distance, dark), hn::Lt(distance, dark_until));
   Sight sight;
   sight.blocked = bits_of(d, in_dark) & open;
   sight.clear = bits_of(d, hn::Lt(distance, depth(0))) & open & ~sight.blocked;

@@ -48,6 +48,8 @@ struct SolidLeaf {
   const Solid* geometry;
   FloatBox bounds;
   LeafHead head;
+  bool is_cramped;   ///< Solid::is_cramped()
+  bool only_blocks;  ///< it is met by feelers alone, and only where they ask for what is opaque
 };
 
 /// The scene's solids as the traversal meets them. Round spheres, axis-aligned boxes and planes without clips and

@@ -53,6 +53,14 @@ class ClosestSearch {
     }
   }
 
+  /// To be called at the end: hits that took part elsewhere are where they are.
+  void put_back() {
+    for (std::uint64_t bits = early_; bits != 0; bits &= bits - 1) {
+      const auto i = static_cast<std::size_t>(__builtin_ctzll(bits));
+      if (hits_[i].part != kNoIndex && hits_[i].solid == early_solid_[i]) hits_[i].depth = early_depth_[i];
+    }
+  }
+
  private:
   bool hidden(std::size_t i, const LeafHead& head) const { return (head.hidden_from & rays_.hidden_bit[i]) != 0; }
   HWY_INLINE ExactRay exact(std::size_t i) const { return ExactRay(rays_, float_rays_.exact_inverse, i); }
@@ -67,11 +75,12 @@ class ClosestSearch {
       for (std::size_t m = met.count; m-- > 0;) offer(i, met.depth[m], met.face[m], leaf.head, from);
     } else {
       const SolidLeaf& leaf = leaves_.solids[ref.index()];
-      if (hidden(i, leaf.head) || !exact(i).meets(leaf.bounds, from) || from > limit(i)) return;
+      if (leaf.only_blocks || hidden(i, leaf.head) || !exact(i).meets(leaf.bounds, from) || from > limit(i)) return;
       std::vector<Crossing>& scratch = scratch_of_thread();
       scratch.clear();
       leaf.geometry->crossings(ray_of(rays_, i), static_cast<std::uint8_t>(rays_.hidden_bit[i]), scratch);
       LeafHead head = leaf.head;
+      if (leaf.is_cramped) return offer_cramped(i, scratch, head, from);
       for (std::size_t c = scratch.size(); c-- > 0;) {
         head.shape = scratch[c].shape;
         head.part = scratch[c].part;
@@ -89,10 +98,31 @@ class ClosestSearch {
     float_rays_.last[i] = FloatRays::above(depth);
   }
 
+  /// What lies before the box is met too, but not before the ray has come to the box: the hit takes part as if it were
+  /// there. [POV-Ray 3.7]
+  void offer_cramped(std::size_t i, const std::vector<Crossing>& crossings, LeafHead head, double from) {
+    const Crossing* nearest = nullptr;
+    for (std::size_t c = crossings.size(); c-- > 0;) {
+      if (!(crossings[c].depth > rays_.min_depth[i])) continue;
+      if (nearest == nullptr || crossings[c].depth < nearest->depth) nearest = &crossings[c];
+    }
+    if (nearest == nullptr) return;
+    head.shape = nearest->shape;
+    head.part = nearest->part;
+    offer(i, std::max(nearest->depth, from), nearest->face, head, from);
+    if (nearest->depth >= from || hits_[i].solid != head.solid) return;
+    early_ |= std::uint64_t{1} << i;
+    early_solid_[i] = head.solid;
+    early_depth_[i] = nearest->depth;
+  }
+
   const Leaves& leaves_;
   const RayBlock& rays_;
   FloatRays& float_rays_;
   std::span<Hit> hits_;
+  std::uint64_t early_ = 0;  ///< bits of rays that met a cramped solid before its box
+  Column<std::uint32_t> early_solid_;
+  Column<double> early_depth_;
 };
 
 /// Looks for any opaque crossing of each ray of a block.
@@ -144,7 +174,7 @@ class BlockingSearch {
       scratch.clear();
       leaf.geometry->crossings(ray_of(rays_, i), static_cast<std::uint8_t>(rays_.hidden_bit[i]), scratch);
       for (const Crossing& crossing : scratch) {
-        if (leaves_.opaque_parts[crossing.part]) offer(i, crossing.depth, from);
+        if (leaves_.opaque_parts[crossing.part]) offer(i, crossing.depth, leaf.is_cramped ? 0.0 : from);
       }
     }
   }
@@ -278,6 +308,7 @@ void closest_of_block(const Leaves& leaves, const RayBlock& rays, std::span<Hit>
   FloatRays float_rays(rays, planes.depth, leaves.tree);
   ClosestSearch search(leaves, rays, float_rays, hits);
   walk(leaves, rays, float_rays, 0, search);
+  search.put_back();
   for (std::size_t i = 0; i < rays.size; ++i) {
     if (hits[i].part == kNoIndex) hits[i] = Hit();
   }

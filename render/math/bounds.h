@@ -30,9 +30,9 @@ inline Box3 overlap(const Box3& a, const Box3& b) {
   return both.isEmpty() ? Box3() : both;
 }
 
-/// The box with room for rounding: each finite face moves out by `relative` of the box's largest coordinate, so even a
-/// flat box gets thickness and a computed point on its surface lies within.
-inline Box3 padded(const Box3& box, double relative) {
+/// The box with room for rounding: each finite face moves out by `relative` of the box's largest coordinate, and by
+/// `least` if that is more, so even a flat box at 0 gets thickness and a computed point on its surface lies within.
+inline Box3 padded(const Box3& box, double relative, double least) {
   if (box.isEmpty()) return box;
   double largest = 0.0;
   for (int axis = 0; axis < 3; ++axis) {
@@ -40,7 +40,7 @@ inline Box3 padded(const Box3& box, double relative) {
       if (std::abs(face) < kBoundless) largest = std::max(largest, std::abs(face));
     }
   }
-  const double room = std::max(largest * relative, 1e-30);
+  const double room = std::max(largest * relative, least);
   Box3 out = box;
   for (int axis = 0; axis < 3; ++axis) {
     if (out.min[axis] > -kBoundless) out.min[axis] -= room;

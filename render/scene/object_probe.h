@@ -30,10 +30,6 @@ class ObjectProbe {
   bool complete_;
 };
 
-/// Where an object lies, as POV-Ray tells scenes: its bounding box, in single precision, which may be larger than the
-/// object. What has no bounds has its coordinates at 1e10. Pre: no part is only described.
-Box3 extent(const Object& object);
-
 /// Whether the object is made of shapes that are there, throughout.
 bool is_made(const Object& object);
 

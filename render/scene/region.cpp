@@ -1,5 +1,6 @@
 #include "render/scene/region.h"
 
+#include "render/scene/extent.h"
 #include "render/scene/scene.h"
 
 #include <utility>
@@ -46,6 +47,18 @@ std::vector<Solid> regions(const ObjectList& objects, const Transform& to_world,
   return result;
 }
 
+std::vector<Solid> bounding_regions(const ObjectList& objects, const Transform& to_world) {
+  std::vector<Solid> result;
+  if (!objects) return result;
+  for (const Object& object : *objects) {
+    std::optional<Solid> solid = region(object, to_world, false);
+    if (!solid) continue;
+    if (object.cramped) solid->set_extent(extent_of_cutter(object, to_world));
+    result.push_back(std::move(*solid));
+  }
+  return result;
+}
+
 ShapePtr placed_shape(const Object& object, const Transform& to_world, bool inverted) {
   ShapePtr shape = to_world.is_identity() ? object.shape : object.shape->placed(to_world);
   return inverted ? shape->inverted() : shape;
@@ -64,7 +77,7 @@ std::optional<Solid> region(const Object& object, const Transform& to_world, boo
     solid.set_members(regions(object.children, here, complement));
   }
   solid.set_clips(regions(clips_of(object), here));
-  solid.set_bounds(regions(bounds_of(object), here));
+  solid.set_bounds(bounding_regions(bounds_of(object), here));
   solid.close();
   return solid;
 }

@@ -1,5 +1,6 @@
 #include "render/scene/scene_builder.h"
 
+#include "render/scene/extent.h"
 #include "render/scene/form.h"
 #include "render/scene/object_table.h"
 #include "render/scene/region.h"
@@ -8,6 +9,7 @@
 #include <algorithm>
 #include <cstddef>
 #include <optional>
+#include <span>
 #include <utility>
 #include <vector>
 
@@ -24,12 +26,31 @@ struct Inherited {
   std::uint8_t hidden_from = 0;
   bool inverted = false;
   bool double_illuminate = false;
+  std::span<const Transform> moves;  ///< of the dissolved unions around, one after another, for extent()
 };
 
 std::uint8_t hidden_bits(const Object& object) {
   return static_cast<std::uint8_t>((object.no_image ? kHiddenFromPrimary : 0) |
                                    (object.no_reflection ? kHiddenFromReflection : 0) |
                                    (object.no_shadow ? kHiddenFromShadow : 0));
+}
+
+/// The moves of what is in `object`, around which lie others that were moved by `outer`.
+std::vector<Transform> moves_within(const Object& object, std::span<const Transform> outer) {
+  std::vector<Transform> moves;
+  if (object.cramped) {
+    for (const std::optional<Transform>& step : object.extras->box_steps) {
+      if (step) moves.push_back(*step);
+    }
+  } else if (!object.placement.is_identity()) {
+    moves.push_back(object.placement);
+  }
+  moves.insert(moves.end(), outer.begin(), outer.end());
+  constexpr std::size_t kMost = 32;  // more are taken together: unions are nested by the thousand
+  if (moves.size() <= kMost) return moves;
+  Transform all;
+  for (const Transform& move : moves) all = all.then(move);
+  return {all};
 }
 
 bool is_empty(const ObjectList& list) { return !list || list->empty(); }
@@ -70,11 +91,13 @@ struct SceneBuilder::State {
   std::uint64_t size = 1;         ///< of the top-level solid at hand
   std::size_t unbounded_end = 0;  ///< behind the last solid that is_unbounded()
   bool has_camera = false;
+  BoundingRules bounding;
   Shared<Interior> surroundings;  ///< see air()
 
   const Shared<Interior>& air();
   Inherited at_node(const Object& object, const Inherited& parent);
   void promote_finish(std::uint32_t texture, std::uint32_t interior);
+  bool dissolves(const Object& object, const Inherited& parent) const;
   void link(const Object& object, const Inherited& parent);
   void note_region(const ObjectList& objects);
   void note_form(const Form& form, const Inherited& node);
@@ -146,14 +169,27 @@ void SceneBuilder::State::promote_finish(std::uint32_t texture, std::uint32_t in
   if (matter->ior == 0.0) matter.change().ior = scene->settings.atmosphere_ior;
 }
 
-/// Makes top-level solids of `object`. A union that nothing cuts is nothing but its members: rays meet them faster one
-/// by one. They keep their order, for of members that meet a ray at equal depths POV-Ray shows the first.
+/// Whether `object` is a union that is nothing but its members, as POV-Ray has it.
+bool SceneBuilder::State::dissolves(const Object& object, const Inherited& parent) const {
+  if (object.kind == Object::Kind::shape || object.kind == Object::Kind::light) return false;
+  if (solid_kind(object.kind, parent.inverted != object.inverted) != Solid::Kind::union_) return false;
+  const ObjectExtras& extras = object.extras;
+  if (!is_empty(extras.clipped_by) || !object.split_union) return false;
+  if (is_empty(extras.bounded_by) || extras.light_group || is_empty(object.children)) return true;
+  const std::vector<Transform> moves = moves_within(object, parent.moves);
+  return bounding.split_unions && std::ranges::none_of(*object.children, [&](const Object& child) {
+           return extent(child, moves).is_unbounded();
+         });
+}
+
+/// Makes top-level solids of `object`. Those of a union that dissolves are its members': rays meet them faster one by
+/// one. They keep their order, for of members that meet a ray at equal depths POV-Ray shows the first.
 void SceneBuilder::State::link(const Object& object, const Inherited& parent) {
-  const bool inverted = parent.inverted != object.inverted;
-  if (object.kind != Object::Kind::shape && object.kind != Object::Kind::light && is_empty(object.extras->clipped_by) &&
-      is_empty(object.extras->bounded_by) && solid_kind(object.kind, inverted) == Solid::Kind::union_) {
+  if (dissolves(object, parent)) {
     if (is_empty(object.children)) return;
-    const Inherited node = at_node(object, parent);
+    const std::vector<Transform> moves = moves_within(object, parent.moves);
+    Inherited node = at_node(object, parent);
+    node.moves = moves;
     make_room(scene->solids, object.children->size());
     make_room(scene->parts, object.children->size());
     for (const Object& child : *object.children) link(child, node);
@@ -167,6 +203,7 @@ void SceneBuilder::State::link(const Object& object, const Inherited& parent) {
     return;
   }
   solid.matter = matter;
+  if (object.cramped || !solid.is_plain()) solid.set_extent(extent(object, parent.moves));
   if (is_unbounded(solid)) unbounded_end = scene->solids.size();
 }
 
@@ -202,9 +239,8 @@ bool SceneBuilder::State::freeze(const Object& object, const Inherited& parent, 
     note_region(object.extras->clipped_by);
     note_region(object.extras->bounded_by);
     solid.set_clips(regions(clips_of(object), node.to_world));
-    // POV-Ray drops the bounds of a simple shape at top level (Remove_Bounds), so there a wrong bound cuts nothing
-    // away.
-    if (!top_level || object.kind != Object::Kind::shape) solid.set_bounds(regions(bounds_of(object), node.to_world));
+    const bool drops_bounds = bounding.remove_bounds && top_level && object.kind == Object::Kind::shape;
+    if (!drops_bounds) solid.set_bounds(bounding_regions(bounds_of(object), node.to_world));
   }
   solid.close();
   return true;
@@ -298,6 +334,8 @@ bool SceneBuilder::has_camera() const { return state_->has_camera; }
 Settings& SceneBuilder::settings() { return state_->scene->settings; }
 const Settings& SceneBuilder::settings() const { return state_->scene->settings; }
 Atmosphere& SceneBuilder::atmosphere() { return state_->scene->atmosphere; }
+
+void SceneBuilder::set_bounding(const BoundingRules& rules) { state_->bounding = rules; }
 
 void SceneBuilder::add(const Object& object, const TexturePtr& default_texture) {
   if (state_->default_texture != default_texture) state_->default_texture = default_texture;

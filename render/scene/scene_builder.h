@@ -1,6 +1,7 @@
 #pragma once
 
 #include "render/camera/camera.h"
+#include "render/scene/bounding_rules.h"
 #include "render/scene/object.h"
 #include "render/scene/scene.h"
 
@@ -23,6 +24,8 @@ class SceneBuilder {
   Settings& settings();
   const Settings& settings() const;
   Atmosphere& atmosphere();
+  /// For the objects that are added from now on.
+  void set_bounding(const BoundingRules& rules);
   /// A top-level object, in the order of the scene text; lights are objects too. `default_texture` covers what has
   /// none.
   void add(const Object& object, const TexturePtr& default_texture);

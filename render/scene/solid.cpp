@@ -2,10 +2,12 @@
 
 #include "render/math/box_tree.h"
 #include "render/math/interrupt.h"
+#include "render/shape/plane.h"
 
 #include <algorithm>
 #include <cstddef>
 #include <memory>
+#include <optional>
 #include <utility>
 
 namespace firstlight::render {
@@ -13,6 +15,9 @@ namespace {
 
 /// Room that a box gets for the rounding of crossings and of box tests, relative to its largest coordinate.
 constexpr double kBoxRoom = 2e-6;
+/// And at least, in scene units: a point is off by some 2^-52 of where its ray begins and of how long it is, however
+/// near to 0 the box lies. Rays are followed for 1e7, so this is a hundred times what they are off by.
+constexpr double kLeastRoom = 1e-6;
 /// A bounding object counts as met from this depth on. [POV-Ray 3.7]
 constexpr double kNearestBound = 1e-4;
 
@@ -20,6 +25,12 @@ constexpr double kNearestBound = 1e-4;
 // from the camera), a merge asks for both, an intersection for none, and no_shadow counts for whole objects alone.
 constexpr std::uint8_t kHidesInUnion = kHiddenFromReflection;
 constexpr std::uint8_t kHidesInMerge = kHiddenFromPrimary | kHiddenFromReflection;
+
+Box3 roomy(const Box3& box) { return padded(box, kBoxRoom, kLeastRoom); }
+
+bool is_within(const Box3& inner, const Box3& outer) {
+  return inner.isEmpty() || (outer.intersects(inner.min) && outer.intersects(inner.max));
+}
 
 bool inside_all(const std::vector<Solid>& solids, const Vec3& point) {
   return std::all_of(solids.begin(), solids.end(), [&](const Solid& s) { return s.inside(point); });
@@ -83,7 +94,9 @@ struct Solid::Structure {
   std::vector<Solid> members;
   std::vector<Solid> clips;
   std::vector<Solid> bounds;
-  Box3 box;  // of the whole; filled by close(), as all below
+  std::optional<Extent> extent;
+  std::optional<Box3> given_box;  // of the extent, where the solid is cramped
+  Box3 box;                       // of the whole; filled by close(), as all below
   Reach reach;
   std::vector<Box3> member_boxes;     // asked before the members
   std::vector<Reach> member_reaches;  // likewise
@@ -150,17 +163,36 @@ void Solid::set_bounds(std::vector<Solid> bounds) {
 
 Reach Solid::reach() const {
   if (!is_plain()) return structure_->reach;
-  return {padded(shape->inside_bounds(), kBoxRoom), padded(shape->outside_bounds(), kBoxRoom)};
+  return {roomy(shape->inside_bounds()), roomy(shape->outside_bounds())};
 }
 
-Box3 Solid::box() const { return is_plain() ? padded(shape->bounds(), kBoxRoom) : structure_->box; }
+Box3 Solid::box() const { return is_cramped() ? *structure_->given_box : surface_box(); }
+
+Box3 Solid::surface_box() const { return is_plain() ? roomy(shape->bounds()) : structure_->box; }
+
+Extent Solid::extent() const {
+  if (is_plain()) return render::extent(*shape);
+  return structure_->extent ? *structure_->extent : Extent(structure_->box);
+}
+
+void Solid::set_extent(const Extent& extent) {
+  const Box3 given = roomy(extent.reach());
+  const bool is_cramped = !is_within(box(), roomy(given));  // single precision takes less than the room
+  if (is_plain() && !is_cramped) return;
+  const bool was_plain = is_plain();
+  structure_.change().extent = extent;
+  if (was_plain) close();
+  if (is_cramped) structure_.change().given_box = given;
+}
+
+bool Solid::is_cramped() const { return !is_plain() && structure_->given_box.has_value(); }
 
 void Solid::close() {
   if (is_plain()) return;
   Structure& structure = structure_.change();
   if (kind == Kind::shape) {
-    structure.box = padded(shape->bounds(), kBoxRoom);
-    structure.reach = {padded(shape->inside_bounds(), kBoxRoom), padded(shape->outside_bounds(), kBoxRoom)};
+    structure.box = roomy(shape->bounds());
+    structure.reach = {roomy(shape->inside_bounds()), roomy(shape->outside_bounds())};
   } else {
     structure.close_members(kind);
   }
@@ -262,7 +294,16 @@ bool Solid::inside(const Vec3& point) const {
   const Structure& structure = *structure_;
   if (!structure.reach.inside.intersects(point)) return false;
   if (!structure.reach.outside.intersects(point)) return true;
-  if (!inside_all(structure.clips, point)) return false;
+  return inside_all(structure.clips, point) && inside_unclipped(point);
+}
+
+bool Solid::holds_start(const Vec3& point) const {
+  if (is_plain()) return (dynamic_cast<const Plane*>(shape.get()) != nullptr || extent().holds(point)) && inside(point);
+  return (!structure_->extent || structure_->extent->holds(point)) && inside_unclipped(point);
+}
+
+/// Pre: not plain.
+bool Solid::inside_unclipped(const Vec3& point) const {
   switch (kind) {
     case Kind::shape:
       return shape->inside(point);

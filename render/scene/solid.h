@@ -3,6 +3,7 @@
 #include "render/math/bounds.h"
 #include "render/math/shared.h"
 #include "render/math/vec.h"
+#include "render/scene/extent.h"
 #include "render/shape/shape.h"
 
 #include <cstddef>
@@ -45,6 +46,15 @@ class Solid {
 
   /// World bounds of what remains visible, with room for rounding. Empty: nothing remains. Pre: closed.
   Box3 box() const;
+  /// The box that POV-Ray has of it, as it was described; else of box(). Pre: closed.
+  Extent extent() const;
+  /// Rays that miss the extent miss the solid. Pre: closed.
+  void set_extent(const Extent& extent);
+  /// Whether some of it may lie outside of its extent: then box() is of the extent, and of a ray that meets the box, all
+  /// crossings count.
+  bool is_cramped() const;
+  /// As box(), without regard to the extent.
+  Box3 surface_box() const;
   const std::vector<Solid>& members() const;
   const std::vector<Solid>& clips() const;
   const std::vector<Solid>& bounds() const;
@@ -61,11 +71,15 @@ class Solid {
   /// chooses among members, while whether the solid itself is hidden is the caller's to ask.
   void crossings(const Ray& ray, std::uint8_t hidden_bit, std::vector<Crossing>& out) const;
   bool inside(const Vec3& point) const;
+  /// Whether a ray that begins at `point`, in space, begins in the solid.
+  /// Source   POV-Ray 3.7: it asks the bounding box, and does not ask what clips the whole.
+  bool holds_start(const Vec3& point) const;
 
  private:
   struct Structure;
 
   Reach reach() const;
+  bool inside_unclipped(const Vec3& point) const;
   void add_shape_crossings(const Ray& ray, std::vector<Crossing>& out) const;
   void add_member_crossings(const Solid& member, const Ray& ray, std::uint8_t hidden_bit, std::uint8_t hiding,
                             std::vector<Crossing>& out) const;

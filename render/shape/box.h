@@ -11,6 +11,7 @@ namespace firstlight::render {
 ///
 /// Source   POV-Ray 3.7: of two sides met within 1e-6 of each other the one that the ray meets more squarely is it.
 struct AxisBox {
+  static constexpr bool kAsksBox = false;
   Vec3 low;
   Vec3 high;
 
@@ -81,6 +82,7 @@ class Box final : public Shape {
   Box3 inside_bounds() const override { return inverted_ ? boundless_box() : box_.bounds(); }
   Box3 outside_bounds() const override { return inverted_ ? box_.bounds() : boundless_box(); }
   ShapePtr placed(const Transform& transform) const override;
+  bool asks_box() const override { return false; }
   ShapePtr inverted() const override { return std::make_shared<Box>(box_, !inverted_); }
 
  private:

@@ -57,7 +57,7 @@ struct Cylinder {
     return Vec3(0.0, 0.0, face == kCap ? 1.0 : -1.0);
   }
   Box3 bounds() const { return Box3(Vec3(-1.0, -1.0, 0.0), Vec3(1.0)); }
-  Box3 inside_bounds() const { return padded(bounds(), 2.0 * kEpsilon); }
+  Box3 inside_bounds() const { return padded(bounds(), 0.0, 2.0 * kEpsilon); }
 
  private:
   static void meet_side(const Ray& ray, double length, double t, Met& met) {
@@ -104,7 +104,7 @@ struct Cone {
   }
   Box3 bounds() const { return Box3(Vec3(-1.0, -1.0, start), Vec3(1.0)); }
   // An open cone's tolerance lets points near the tip count that are 1e-5 from the axis, still far within the box.
-  Box3 inside_bounds() const { return padded(bounds(), 2.0 * kEpsilon); }
+  Box3 inside_bounds() const { return padded(bounds(), 0.0, 2.0 * kEpsilon); }
 
  private:
   void meet_side(const Ray& ray, double length, double t, Met& met) const {

@@ -37,6 +37,8 @@ struct UnitRay {
 ///     Vec3 normal(const Vec3& point, std::uint32_t face) const;      outward, of any length
 ///     Box3 bounds() const;
 ///     Box3 inside_bounds() const;
+///     Box3 given_bounds() const;                                     may be left out: as bounds()
+///     static constexpr bool kAsksBox;                                may be left out: true
 ///
 /// A Local is a small value; placing a shape copies it and composes the transformations.
 template <class Local>
@@ -56,10 +58,18 @@ class Placed final : public Shape {
     return inverted_ ? -n : n;
   }
   Box3 bounds() const override { return transform_.box(local_.bounds()); }
+  Box3 given_bounds() const override {
+    if constexpr (requires { local_.given_bounds(); }) return transform_.box(local_.given_bounds());
+    return bounds();
+  }
   Box3 inside_bounds() const override { return inverted_ ? boundless_box() : transform_.box(local_.inside_bounds()); }
   Box3 outside_bounds() const override { return inverted_ ? transform_.box(local_.inside_bounds()) : boundless_box(); }
   ShapePtr placed(const Transform& transform) const override {
     return std::make_shared<Placed>(local_, transform_.then(transform), inverted_);
+  }
+  bool asks_box() const override {
+    if constexpr (requires { Local::kAsksBox; }) return Local::kAsksBox;
+    return true;
   }
   ShapePtr inverted() const override { return std::make_shared<Placed>(local_, transform_, !inverted_); }
 

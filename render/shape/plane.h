@@ -30,6 +30,7 @@ class Plane final : public Shape {
   Box3 inside_bounds() const override;
   Box3 outside_bounds() const override;
   ShapePtr placed(const Transform& transform) const override;
+  bool asks_box() const override { return false; }
   ShapePtr inverted() const override;
 
  private:

@@ -37,6 +37,8 @@ class Shape {
   virtual Vec3 normal(const Vec3& point, const Crossing& crossing) const = 0;
   /// World box of the surface; infinite when the shape is unbounded.
   virtual Box3 bounds() const = 0;
+  /// The box that POV-Ray gives it. Where a radius is negative it is too small, or turned inside out.
+  virtual Box3 given_bounds() const { return bounds(); }
   /// Every point outside this box is outside the shape. Infinite for a complement or a half space; otherwise it holds
   /// bounds().
   virtual Box3 inside_bounds() const { return boundless_box(); }
@@ -46,6 +48,8 @@ class Shape {
   virtual std::shared_ptr<const Shape> placed(const Transform& transform) const = 0;
   /// The complement: inside and outside exchanged, surface unchanged.
   virtual std::shared_ptr<const Shape> inverted() const = 0;
+  /// Whether POV-Ray asks the shape's box whenever it asks the shape: not where the shape is asked as quickly.
+  virtual bool asks_box() const { return true; }
 };
 
 using ShapePtr = std::shared_ptr<const Shape>;

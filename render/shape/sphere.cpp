@@ -10,6 +10,7 @@ Box3 sphere_box(const Vec3& center, double radius) { return Box3(center - Vec3(r
 
 /// The sphere that an ellipsoid is before its transformation. Depth limits hold in this space, as in POV-Ray.
 struct EllipsoidBase {
+  static constexpr bool kAsksBox = false;
   Vec3 center;
   double radius;
 
@@ -26,7 +27,7 @@ struct EllipsoidBase {
     return inverted ? distance_squared > radius * radius : distance_squared < radius * radius;
   }
   Vec3 normal(const Vec3& point, std::uint32_t) const { return point - center; }
-  Box3 bounds() const { return sphere_box(center, radius); }
+  Box3 bounds() const { return sphere_box(center, std::abs(radius)); }
   Box3 inside_bounds() const { return bounds(); }
 };
 
@@ -47,7 +48,7 @@ double similarity_factor(const Mat4& m) {
 }  // namespace
 
 Sphere::Sphere(const Vec3& center, double radius, bool inverted)
-    : center_(center), radius_(std::abs(radius)), inverted_(inverted) {}
+    : center_(center), radius_(radius), inverted_(inverted) {}
 
 void Sphere::crossings(const Ray& ray, std::vector<Crossing>& out) const {
   double enters;
@@ -64,7 +65,9 @@ Vec3 Sphere::normal(const Vec3& point, const Crossing&) const {
   return inverted_ ? -n : n;
 }
 
-Box3 Sphere::bounds() const { return sphere_box(center_, radius_); }
+Box3 Sphere::bounds() const { return sphere_box(center_, std::abs(radius_)); }
+
+Box3 Sphere::given_bounds() const { return sphere_box(center_, radius_); }
 
 Box3 Sphere::inside_bounds() const { return inverted_ ? boundless_box() : bounds(); }
 

@@ -37,14 +37,16 @@ class Sphere final : public Shape {
   bool inside(const Vec3& point) const override;
   Vec3 normal(const Vec3& point, const Crossing& crossing) const override;
   Box3 bounds() const override;
+  Box3 given_bounds() const override;
   Box3 inside_bounds() const override;
   Box3 outside_bounds() const override;
   ShapePtr placed(const Transform& transform) const override;
+  bool asks_box() const override { return false; }
   ShapePtr inverted() const override;
 
  private:
   Vec3 center_;
-  double radius_;
+  double radius_;  ///< where it is negative, normals point inwards
   bool inverted_;
 };
 

@@ -9,6 +9,9 @@
 namespace firstlight::render {
 namespace {
 
+/// On all sides of the box about a triangle, which scenes may ask for. [POV-Ray 3.7]
+constexpr double kPadding = 1e-10;
+
 /// The axis of the largest component; of equals the last, as POV-Ray has it.
 int dominant_axis(const Vec3& v) {
   const double x = std::abs(v.x);
@@ -35,6 +38,7 @@ class Triangle final : public Shape {
     const auto& [a, b, c] = flat_.corners();
     return std::make_shared<Triangle>(FlatTriangle({transform.point(a), transform.point(b), transform.point(c)}));
   }
+  bool asks_box() const override { return false; }
   ShapePtr inverted() const override { return std::make_shared<Triangle>(*this); }
 
  private:
@@ -80,6 +84,7 @@ class SmoothTriangle final : public Shape {
         Normals{transform.normal(na).normalized(), transform.normal(nb).normalized(),
                 transform.normal(nc).normalized()});
   }
+  bool asks_box() const override { return false; }
   ShapePtr inverted() const override { return std::make_shared<SmoothTriangle>(*this); }
 
  private:
@@ -148,6 +153,8 @@ Box3 FlatTriangle::bounds() const {
   Box3 box;
   if (!valid_) return box;
   for (const Vec3& corner : corners_) box.extendBy(corner);
+  box.min -= Vec3(kPadding);
+  box.max += Vec3(kPadding);
   return box;
 }
 

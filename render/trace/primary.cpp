@@ -9,7 +9,7 @@ namespace firstlight::render {
 std::uint32_t medium_at(const Scene& scene, MediumTable& media, const Vec3& point) {
   std::uint32_t medium = MediumTable::kOutside;
   for (const Solid& solid : scene.solids) {
-    if (!media.contains(medium, solid.matter) && solid.inside(point)) medium = media.entered(medium, solid.matter);
+    if (!media.contains(medium, solid.matter) && solid.holds_start(point)) medium = media.entered(medium, solid.matter);
   }
   return medium;
 }

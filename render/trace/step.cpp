@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <bit>
 #include <cmath>
+#include <limits>
 #include <utility>
 
 namespace firstlight::render {
@@ -224,7 +225,11 @@ void Stepper::add_sealed(const Surface& surface, RayTask root, double exponent) 
   const Rgb weight = root.weight();
   root.set_weight(Rgb(1.0f), root.adc_weight());
   const Rgb color = trace_sealed(root);
-  const auto power = [exponent](float c) { return c > 0.0f ? static_cast<float>(std::pow(c, exponent)) : 0.0f; };
+  // Of negative light too: it has a square, and no square root, which is so dark that no other light is seen.
+  const auto power = [exponent](float c) {
+    const auto raised = static_cast<float>(std::pow(c, exponent));
+    return std::isnan(raised) ? -std::numeric_limits<float>::infinity() : raised;
+  };
   surface.sum->light += FixedRgb::from(weight * Rgb(power(color.x), power(color.y), power(color.z)));
 }
 

@@ -178,7 +178,7 @@ void Maker::look_at_matter() {
   }
   if (clear.size() != 1 || is_air(scene_.interiors[*clear.begin()]->ior)) return;
   goes_straight_ = std::ranges::any_of(scene_.solids, [&](const Solid& solid) {
-    return !clear.contains(solid.matter) && solid.inside(scene_.camera.location);
+    return !clear.contains(solid.matter) && solid.holds_start(scene_.camera.location);
   });
 }
 

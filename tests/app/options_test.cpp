@@ -45,6 +45,18 @@ TEST(Options, HavePovRaysDefaults) {
   EXPECT_EQ(picture_path(options), "scene.png");
 }
 
+TEST(Options, SayWhichBoundsCount) {
+  EXPECT_TRUE(good({}).bounding.remove_bounds);
+  EXPECT_FALSE(good({}).bounding.split_unions);
+  for (const auto& words : {std::vector<std::string>{"-UR", "+SU"}, {"Remove_Bounds=Off", "Split_Unions=On"}}) {
+    const Options options = good(words);
+    EXPECT_FALSE(options.bounding.remove_bounds) << words[0];
+    EXPECT_TRUE(options.bounding.split_unions) << words[0];
+  }
+  EXPECT_TRUE(good({"-UR", "+UR"}).bounding.remove_bounds);
+  EXPECT_FALSE(good({"+SU", "-SU"}).bounding.split_unions);
+}
+
 TEST(Options, SwitchesSetTheirValues) {
   const Options options = good({"+W640", "-H480", "+WT3", "+Lone", "-Ltwo", "three/", "+K0.25", "declare=Depth=4",
                                 "Declare=x1=-2.5", "+Oout/a", "--scheme", "level", "--stats=s.json", "--quiet"});

@@ -67,7 +67,7 @@ class RayRain {
 inline void check_closed_solid(const ShapePtr& shape, unsigned seed) {
   RayRain rain(seed);
   const ShapePtr complement = shape->inverted();
-  const Box3 box = padded(shape->bounds(), 1e-9);
+  const Box3 box = padded(shape->bounds(), 1e-9, 1e-30);
   int count = 0;
   for (int i = 0; i < 4000; ++i) {
     const Ray ray = rain.next();
