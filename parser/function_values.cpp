@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <climits>
 #include <cmath>
+#include <limits>
 #include <numbers>
 
 namespace firstlight::parser {
@@ -219,7 +220,11 @@ render::Vec3 vector_of_vectors(Interpreter& in, const Token& word, const render:
     case Keyword::vrotate:
       return turned(first, render::Transform::rotation(second));
     default:  // vaxis_rotate
-      if (!(second.dot(second) > 0.0)) in.fail(word.location, "'vaxis_rotate' needs an axis that has a length");
+      // POV-Ray goes on with what is not a number, and writes it with this sign.
+      if (!(second.dot(second) > 0.0)) {
+        in.warn(word.location, "'vaxis_rotate' about an axis without length, which is not a number");
+        return render::Vec3(-std::numeric_limits<double>::quiet_NaN());
+      }
       return turned(first, render::Transform::rotation_about(second, degrees));
   }
 }

@@ -63,7 +63,8 @@ void parse_function_image(Reader& reader, SceneContext& context, const Token& wo
   source.function = parse_function(reader, context, word);
 }
 
-ImageUse::Projection parse_map_type(Reader& reader) {
+/// `strict`: other numbers are mistakes; else they mean what 0 does. [POV-Ray 3.7]
+ImageUse::Projection parse_map_type(Reader& reader, bool strict) {
   const Token& at = reader.peek();
   switch (integer(reader, "map_type")) {
     case 0:
@@ -75,7 +76,8 @@ ImageUse::Projection parse_map_type(Reader& reader) {
     case 5:
       return ImageUse::Projection::torus;
     default:
-      reader.fail(at, "'map_type' must be 0, 1, 2 or 5");
+      if (strict) reader.fail(at, "'map_type' must be 0, 1, 2 or 5");
+      return ImageUse::Projection::planar;
   }
 }
 
@@ -106,7 +108,7 @@ bool accept_placement(Reader& reader, ImageUse& image, bool strict) {
   if (reader.accept(Keyword::once)) {
     image.once = true;
   } else if (reader.accept(Keyword::map_type)) {
-    image.projection = parse_map_type(reader);
+    image.projection = parse_map_type(reader, strict);
   } else if (reader.accept(Keyword::interpolate)) {
     image.interpolation = parse_interpolation(reader, !strict);
   } else if (reader.accept(Keyword::repeat)) {

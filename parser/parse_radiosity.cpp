@@ -86,7 +86,7 @@ bool accept_limit(Reader& reader, RadiositySettings& settings) {
 }
 
 /// What the light is like.
-bool accept_quality(Reader& reader, RadiositySettings& settings) {
+bool accept_quality(Reader& reader, RadiositySettings& settings, RadiosityText& text) {
   const Token& word = reader.peek();
   if (reader.accept(Keyword::brightness)) {
     settings.brightness = positive(reader, word);
@@ -101,9 +101,11 @@ bool accept_quality(Reader& reader, RadiositySettings& settings) {
     settings.low_error_factor = positive(reader, word);
   } else if (reader.accept(Keyword::maximum_reuse)) {
     settings.maximum_reuse = positive(reader, word);
+    text.maximum_reuse = true;
   } else if (reader.accept(Keyword::minimum_reuse)) {
     settings.minimum_reuse = finite_number(reader, "minimum_reuse");
     if (settings.minimum_reuse < 0.0) reader.fail(word, "'minimum_reuse' cannot be negative");
+    text.minimum_reuse = true;
   } else if (reader.accept(Keyword::max_sample)) {
     settings.max_sample = finite_number(reader, "max_sample");
   } else if (reader.accept(Keyword::adc_bailout)) {
@@ -128,11 +130,38 @@ void parse_radiosity(Reader& reader, SceneContext& context, const Token& word) {
     reader.warn(word, "'radiosity' turns radiosity on, as it does since version 3.5");
   }
   settings.radiosity.enabled = true;
+  context.radiosity.word = word;
   settings.unrendered.add(feature_use(render::Feature::radiosity, word));
   reader.open_block(word);
-  while (accept_limit(reader, settings.radiosity) || accept_quality(reader, settings.radiosity)) {
+  while (accept_limit(reader, settings.radiosity) || accept_quality(reader, settings.radiosity, context.radiosity)) {
   }
   reader.close_block();
+}
+
+void check_radiosity(Reader& reader, SceneContext& context) {
+  const RadiosityText& text = context.radiosity;
+  RadiositySettings& settings = context.builder.settings().radiosity;
+  if (settings.pretrace_end > settings.pretrace_start) {
+    reader.fail(text.word,
+                fmt::format("'pretrace_end' of 'radiosity' ({}) must not be greater than 'pretrace_start' ({})",
+                            settings.pretrace_end, settings.pretrace_start));
+  }
+  if (!(settings.minimum_reuse > 0.5 * settings.maximum_reuse)) return;
+  // What the scene does not say gives way.
+  if (!text.minimum_reuse) {
+    settings.minimum_reuse = 0.5 * settings.maximum_reuse;
+    reader.warn(text.word, fmt::format("'maximum_reuse' is less than twice 'minimum_reuse', which becomes {}",
+                                       settings.minimum_reuse));
+  } else if (!text.maximum_reuse) {
+    settings.maximum_reuse = 2.0 * settings.minimum_reuse;
+    reader.warn(text.word, fmt::format("'minimum_reuse' is more than half of 'maximum_reuse', which becomes {}",
+                                       settings.maximum_reuse));
+  } else if (settings.minimum_reuse >= settings.maximum_reuse) {
+    reader.fail(text.word, fmt::format("'maximum_reuse' of 'radiosity' ({}) must be greater than 'minimum_reuse' ({})",
+                                       settings.maximum_reuse, settings.minimum_reuse));
+  } else {
+    reader.warn(text.word, "'maximum_reuse' should be at least twice 'minimum_reuse'");
+  }
 }
 
 }  // namespace firstlight::parser

@@ -33,7 +33,7 @@ void parse_top_object(Reader& reader, SceneContext& context) {
   if (!object) reader.fail_expected("an object or a directive");
   context.size += object->size;
   if (context.size > kMaxObjects) {
-    reader.fail(at, "the scene has more than " + std::to_string(kMaxObjects) + " objects");
+    reader.fail_finally(at, "the scene has more than " + std::to_string(kMaxObjects) + " objects");
   }
   // Behind an error only further errors are looked for.
   if (reader.interpreter().has_failed()) return;
@@ -88,6 +88,7 @@ void parse_scene(Reader& reader, SceneContext& context) {
     context.builder.set_camera(context.default_camera);
   }
   if (context.size == 0) reader.warn(end, "there are no objects in the scene");
+  if (context.builder.settings().radiosity.enabled) check_radiosity(reader, context);
 }
 
 }  // namespace firstlight::parser

@@ -30,6 +30,10 @@ Numbers Reader::expression() { return parse_sum(interpreter_, 1); }
 
 void Reader::fail(const Token& at, std::string message) { interpreter_.fail(at.location, std::move(message)); }
 
+void Reader::fail_finally(const Token& at, std::string message) {
+  interpreter_.fail_finally(at.location, std::move(message));
+}
+
 void Reader::fail_expected(std::string_view what) {
   const Token& at = peek();
   fail(at, "expected " + std::string(what) + ", found " + interpreter_.describe_next());

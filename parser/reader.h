@@ -67,6 +67,8 @@ class Reader {
   // --- messages
   // -------------------------------------------------------------------------------------------------------
   [[noreturn]] void fail(const Token& at, std::string message);
+  /// The same about a limit, behind which the scene is not read on.
+  [[noreturn]] void fail_finally(const Token& at, std::string message);
   /// "expected `what`, found ..." at the next token.
   [[noreturn]] void fail_expected(std::string_view what);
   void warn(const Token& at, std::string message);

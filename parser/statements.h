@@ -11,6 +11,12 @@
 
 namespace firstlight::parser {
 
+/// What a scene has said about radiosity, for what is checked when all is said.
+struct RadiosityText {
+  Token word;  ///< of the last block
+  bool minimum_reuse = false, maximum_reuse = false;
+};
+
 /// What statements need beside the text: the scene under construction and the defaults that `#default` sets.
 struct SceneContext {
   explicit SceneContext(render::SceneBuilder& scene_builder) : builder(scene_builder) {}
@@ -22,7 +28,8 @@ struct SceneContext {
   bool default_given = false;                  ///< there was a `#default`
   render::Shared<render::Finish> last_finish;  ///< see kept_once()
   render::Camera default_camera;
-  render::Camera camera;   ///< the scene's so far; before version 3.5 a further camera statement goes on from it
+  render::Camera camera;  ///< the scene's so far; before version 3.5 a further camera statement goes on from it
+  RadiosityText radiosity;
   std::uint64_t size = 0;  ///< objects in the scene so far, with all that they are made of
 };
 

@@ -196,6 +196,13 @@ TEST(ParseImage, MistakesAreNamed) {
   EXPECT_TRUE(says(pigment_error("image_map { }"), "expected the format and name"));
 }
 
+TEST(ParseImage, OnlyImageMapsAreStrictAboutTheirProjection) {
+  const PictureFile file("firstlight_parse_image.ppm");
+  const auto normal = normal_of("bump_map { ppm " + file.quoted() + " map_type 3 }");
+  EXPECT_EQ(parameters<render::ImageParameters>(normal.pattern).image->projection,
+            render::ImageUse::Projection::planar);
+}
+
 TEST(ParseImage, DensityFilesAreFoundToo) {
   const PictureFile file("firstlight_parse_image.df3");
   const auto pigment = pigment_of("density_file df3 " + file.quoted() + " interpolate 1");

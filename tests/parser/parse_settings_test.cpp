@@ -95,6 +95,17 @@ TEST(ParseRadiosity, RefusesWhatMakesNoSense) {
   EXPECT_NE(warning("radiosity { save_file \"a\" load_file \"b\" }").find("command line"), std::string::npos);
 }
 
+TEST(ParseRadiosity, WhatItSaysMustAgreeAtTheEndOfTheScene) {
+  EXPECT_EQ(mistake("radiosity { pretrace_start 0.01 pretrace_end 0.04 }"),
+            "'pretrace_end' of 'radiosity' (0.04) must not be greater than 'pretrace_start' (0.01)\n");
+  EXPECT_NE(mistake("radiosity { pretrace_start 0.02 }"), "");  // the default end is 0.04
+  EXPECT_EQ(mistake("radiosity { pretrace_start 0.02 } radiosity { pretrace_end 0.02 }"), "");
+  EXPECT_NE(mistake("radiosity { minimum_reuse 0.3 maximum_reuse 0.2 }"), "");
+  EXPECT_NE(warning("radiosity { minimum_reuse 0.15 maximum_reuse 0.2 }"), "");
+  EXPECT_NE(warning("radiosity { minimum_reuse 0.3 }").find("which becomes 0.6"), std::string::npos);
+  EXPECT_NE(warning("radiosity { maximum_reuse 0.02 }").find("which becomes 0.01"), std::string::npos);
+}
+
 TEST(ParseRadiosity, DefaultImportanceIsKept) {
   const auto scene = described_scene("#default { radiosity { importance 0.5 } } sphere { 0, 1 }");
   EXPECT_EQ(scene->settings.radiosity.default_importance, 0.5);
