@@ -59,7 +59,7 @@ Object parse_csg(Reader& reader, SceneContext& context, const Token& word) {
   if (members.size() < 2) {
     reader.warn(word, quoted(word) + " should have at least two objects, found " + (members.empty() ? "none" : "one"));
   }
-  whole.children = std::make_shared<const std::vector<Object>>(std::move(members));
+  whole.children = render::make_object_list(std::move(members));
   parse_modifiers(reader, context, word, whole);
   return whole;
 }
@@ -79,7 +79,7 @@ Object parse_light_group(Reader& reader, SceneContext& context, const Token& wor
     add_member(reader, at, group, *member);
     members.push_back(std::move(*member));
   }
-  group.children = std::make_shared<const std::vector<Object>>(std::move(members));
+  group.children = render::make_object_list(std::move(members));
   for (;;) {
     const Token& next = reader.peek();
     if (const auto transform = accept_transformation(reader)) {

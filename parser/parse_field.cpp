@@ -59,6 +59,7 @@ render::FunctionPtr parse_surface_function(Reader& reader, Object& object) {
   if (!reader.accept(Keyword::function)) reader.fail_expected("'function'");
   render::FunctionPtr function = parse_function_block(reader, word);
   object.extras.change().unrendered.add(function->unrendered());
+  object.depth = std::max(object.depth, function->depth());
   return function;
 }
 

@@ -228,6 +228,9 @@ Object parse_light(Reader& reader, SceneContext& context, const Token& word) {
   note_features(draft);
   Object object;
   object.kind = Object::Kind::light;
+  for (const auto& part : {light.looks_like, light.projected_through}) {
+    if (part) count_in(reader, word, object, *part);
+  }
   object.extras.change().light = std::move(draft.light);
   return object;
 }

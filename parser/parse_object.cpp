@@ -57,6 +57,7 @@ std::optional<Object> parse_shape(Reader& reader, SceneContext& context, const S
   }
   if (const auto& form = object.extras->form) {
     object.patch = render::is_patch(*form);
+    for (const auto& texture : textures_of(*form)) object.depth = std::max(object.depth, depth_of(*texture));
     object.extras.change().unrendered.add(feature_use(render::feature_of(*form), word));
   } else if (object.shape) {
     object.patch = shape.patch;
@@ -128,20 +129,22 @@ std::optional<Object> parse_object(Reader& reader, SceneContext& context) {
 }
 
 void count_in(Reader& reader, const Token& at, Object& whole, const Object& part) {
-  whole.depth = std::max(whole.depth, part.depth + 1);
+  const bool dissolves = whole.kind == Object::Kind::union_ && render::is_plain_union(part);
+  whole.depth = std::max(whole.depth, part.depth + (dissolves ? 0 : 1));
+  whole.nesting = std::max(whole.nesting, part.nesting + 1);
   whole.size += part.size;
-  if (whole.depth > kMaxObjectDepth) {
-    reader.fail(at, "objects are nested more than " + std::to_string(kMaxObjectDepth) + " deep");
+  if (whole.depth > render::kMostDepth) {
+    reader.fail_finally(at, "objects are nested more than " + std::to_string(render::kMostDepth) + " deep");
   }
   if (whole.size > kMaxObjects) {
-    reader.fail(at, "object is made of more than " + std::to_string(kMaxObjects) + " others");
+    reader.fail_finally(at, "object is made of more than " + std::to_string(kMaxObjects) + " others");
   }
 }
 
 Object empty_object() {
   Object object;
   object.kind = Object::Kind::union_;
-  object.children = std::make_shared<const std::vector<Object>>();
+  object.children = render::make_object_list({});
   return object;
 }
 

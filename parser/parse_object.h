@@ -9,8 +9,6 @@
 
 namespace firstlight::parser {
 
-/// Levels of objects in objects. Far more than scenes are written with, few enough to walk by recursion.
-constexpr std::uint32_t kMaxObjectDepth = 1000;
 /// Objects in a scene, counting shared ones as often as they occur; more would not fit into a machine's memory.
 constexpr std::uint64_t kMaxObjects = 4'000'000;
 

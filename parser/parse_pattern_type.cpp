@@ -147,6 +147,7 @@ void parse_arguments(Reader& reader, SceneContext& context, PatternOwner& owner,
       return;
     case PatternKind::function:
       pattern.parameters = render::FunctionParameters{parse_function_block(reader, word)};
+      nest(reader, word, pattern.depth, std::get<render::FunctionParameters>(pattern.parameters).function->depth());
       return;
     case PatternKind::gradient:
       pattern.parameters = render::GradientParameters{finite_vector(reader, "axis of 'gradient'")};

@@ -65,8 +65,10 @@ void Interpreter::recover(const SyntaxError& error) {
   if (error.fatal || frames_.empty()) throw error;
   report_mistake(error);
   unsettle();
+  std::set<std::pair<const TokenFile*, std::uint32_t>> noted;  // a macro that calls itself leaves many such frames
   while (frames_.size() > std::max<std::size_t>(statement_.frames, 1)) {
-    note_broken_names(frames_.back().position, frames_.back().end);
+    const Frame& frame = frames_.back();
+    if (noted.emplace(frame.file, frame.position).second) note_broken_names(frame.position, frame.end);
     leave_frame();
   }
   drop_blocks();

@@ -7,7 +7,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <optional>
+#include <vector>
 
 namespace firstlight::render {
 namespace {
@@ -76,24 +78,69 @@ Extent cut(const Extent& own, const Object& object, const Transform& here) {
   return result;
 }
 
-/// Of a combination, in its own space. `inverse` does not change it.
-Extent extent_of_members(const Object& object) {
-  if (!object.children) return Extent(farthest_box());
-  const bool intersects = object.kind == Object::Kind::intersection;
+/// Of a combination whose members lie in `box`.
+Extent extent_around(const Box3& box) {
+  if (is_empty(box)) return Extent(farthest_box());
+  const Extent whole(box);
+  return std::ranges::max(whole.length) > kLongest ? Extent(farthest_box()) : whole;
+}
+
+/// Of a combination where it stands, from what its members make in its own space.
+Extent moved_on(const Extent& members, const Object& object) {
+  if (!object.cramped) return moved(members, object.placement);
+  Extent result = members;
+  Transform here;
+  for (const std::optional<Transform>& step : object.extras->box_steps) {
+    result = step ? moved(result, *step) : cut(result, object, here);
+    if (step) here = here.then(*step);
+  }
+  return result;
+}
+
+Box3 box_of_intersection(const std::vector<Object>& members) {
   Box3 box = farthest_box();
-  if (!intersects) box.makeEmpty();
-  for (const Object& member : *object.children) {
-    if (!intersects) {
-      box.extendBy(extent(member).box());
-    } else if (as_plane(member.shape.get()) != nullptr) {
+  for (const Object& member : members) {
+    if (as_plane(member.shape.get()) != nullptr) {
       box = common(box, box_of_half_space(*as_plane(placed_shape(member, member.placement, member.inverted).get())));
     } else if (!member.inverted) {
       box = common(box, extent(member).box());
     }
   }
-  if (is_empty(box)) return Extent(farthest_box());
-  const Extent whole(box);
-  return std::ranges::max(whole.length) > kLongest ? Extent(farthest_box()) : whole;
+  return box;
+}
+
+/// Unions in it, which nest deeper than recursion may go, are summed up on the way.
+Box3 box_of_union(const Object& object) {
+  struct Level {
+    const Object* whole;
+    std::size_t next;
+    Box3 box;
+  };
+  std::vector<Level> levels{{&object, 0, Box3()}};
+  for (;;) {
+    Level& level = levels.back();
+    const std::vector<Object>& members = *level.whole->children;
+    if (level.next < members.size()) {
+      const Object& member = members[level.next++];
+      if (is_plain_union(member) && member.children) {
+        levels.push_back({&member, 0, Box3()});
+      } else {
+        level.box.extendBy(extent(member).box());
+      }
+      continue;
+    }
+    const Level done = level;
+    levels.pop_back();
+    if (levels.empty()) return done.box;
+    levels.back().box.extendBy(moved_on(extent_around(done.box), *done.whole).box());
+  }
+}
+
+/// Of a combination, in its own space. `inverse` does not change it.
+Extent extent_of_members(const Object& object) {
+  if (!object.children) return Extent(farthest_box());
+  return extent_around(object.kind == Object::Kind::intersection ? box_of_intersection(*object.children)
+                                                                 : box_of_union(object));
 }
 
 }  // namespace
@@ -159,16 +206,7 @@ Extent extent(const Object& object, std::span<const Transform> moves) {
     const Extent own = extent(*placed_shape(object, here, false));
     return moves.empty() ? cut(own, object, here) : own;
   }
-  Extent result = extent_of_members(object);
-  if (object.cramped) {
-    Transform here;
-    for (const std::optional<Transform>& step : object.extras->box_steps) {
-      result = step ? moved(result, *step) : cut(result, object, here);
-      if (step) here = here.then(*step);
-    }
-  } else {
-    result = moved(result, object.placement);
-  }
+  Extent result = moved_on(extent_of_members(object), object);
   for (const Transform& move : moves) result = moved(result, move);
   return result;
 }

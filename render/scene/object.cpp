@@ -1,7 +1,35 @@
 #include "render/scene/object.h"
 
+#include <utility>
+
 namespace firstlight::render {
 namespace {
+
+/// Objects that end level by level: those in the objects of a list wait until the list is gone.
+struct HeldObjects {
+  std::vector<Object> objects;
+
+  explicit HeldObjects(std::vector<Object> list) : objects(std::move(list)) {}
+  HeldObjects(const HeldObjects&) = delete;
+  HeldObjects& operator=(const HeldObjects&) = delete;
+  ~HeldObjects() {
+    static thread_local std::vector<std::vector<Object>>* waiting = nullptr;
+    if (waiting != nullptr) {
+      if (!objects.empty()) waiting->push_back(std::move(objects));
+      return;
+    }
+    std::vector<std::vector<Object>> lists;
+    waiting = &lists;
+    objects.clear();
+    while (!lists.empty()) {
+      const std::vector<Object> last = std::move(lists.back());
+      lists.pop_back();
+    }
+    waiting = nullptr;
+  }
+};
+
+bool is_empty(const ObjectList& list) { return !list || list->empty(); }
 
 std::shared_ptr<const Object> placed(const std::shared_ptr<const Object>& object, const Transform& transform) {
   if (!object || transform.is_identity()) return object;
@@ -11,6 +39,16 @@ std::shared_ptr<const Object> placed(const std::shared_ptr<const Object>& object
 }
 
 }  // namespace
+
+ObjectList make_object_list(std::vector<Object> objects) {
+  const auto held = std::make_shared<const HeldObjects>(std::move(objects));
+  return {held, &held->objects};
+}
+
+bool is_plain_union(const Object& object) {
+  return object.kind == Object::Kind::union_ && !object.inverted && is_empty(object.extras->clipped_by) &&
+         is_empty(object.extras->bounded_by);
+}
 
 void place(Object& object, const Transform& transform) {
   object.placement = object.placement.then(transform);

@@ -23,6 +23,8 @@ struct Form;
 struct Object;
 
 using ObjectList = std::shared_ptr<const std::vector<Object>>;  ///< null: none
+/// A list that is taken apart without recursion, however deep what it holds is nested.
+ObjectList make_object_list(std::vector<Object> objects);
 
 /// What few objects have.
 struct ObjectExtras {
@@ -81,8 +83,10 @@ struct Object {
   bool cramped = false;
   /// How deep and how large the tree below is. Sharing lets a short text describe trees that no machine can walk;
   /// whoever builds an object keeps these in step, and the front end refuses too large ones.
-  std::uint32_t depth = 0;  ///< levels of children, clips and bounds below this object
-  std::uint64_t size = 1;   ///< objects in it, itself among them, each as often as it occurs
+  /// Levels of children, clips and bounds below this object; a plain union in a union is no level of its own.
+  std::uint32_t depth = 0;
+  std::uint32_t nesting = 0;  ///< the same with all unions
+  std::uint64_t size = 1;     ///< objects in it, itself among them, each as often as it occurs
 
   ShapePtr shape;       ///< of Kind::shape; its space is this object's
   ObjectList children;  ///< of the combining kinds (a difference is an intersection with inverted further children)
@@ -95,6 +99,11 @@ struct Object {
   std::string_view word;  ///< of Kind::shape: the word of the scene language that made it; static text
   Shared<ObjectExtras> extras;
 };
+
+/// Levels that can be walked by recursion: the most that Object::depth may be. Unions in unions go deeper.
+constexpr std::uint32_t kMostDepth = 1000;
+/// A union that nothing cuts, bounds or turns inside out: in another union it is nothing but its members.
+bool is_plain_union(const Object& object);
 
 /// Moves the object on, with its textures.
 void place(Object& object, const Transform& transform);

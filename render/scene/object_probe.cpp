@@ -2,6 +2,7 @@
 
 #include "render/scene/extent.h"
 #include "render/scene/region.h"
+#include "render/scene/walk_members.h"
 
 #include <algorithm>
 #include <limits>
@@ -21,8 +22,15 @@ bool are_made(const Objects& objects) { return !objects || std::all_of(objects->
 }  // namespace
 
 bool is_made(const Object& object) {
-  if (object.kind == Object::Kind::shape && !object.shape) return false;
-  return are_made(object.children) && are_made(object.extras->clipped_by) && are_made(object.extras->bounded_by);
+  bool made = true;
+  const auto look = [&made](const Object& part, bool) {
+    made = made && (part.kind != Object::Kind::shape || part.shape) && are_made(part.extras->clipped_by) &&
+           are_made(part.extras->bounded_by);
+    return std::optional(true);
+  };
+  look(object, true);
+  walk_members(object, true, look, [](const Object&, bool) {});
+  return made;
 }
 
 ObjectProbe::ObjectProbe(const Object& object) : complete_(is_made(object)) {

@@ -7,8 +7,11 @@ namespace firstlight::render {
 
 ObjectTable::Names ObjectTable::within(Names outer, std::span<const std::string> names) {
   for (const std::string& name : names) {
+    // A loop that declares an object of itself gives its name again and again.
+    if (steps_[outer].name == name && outer != 0) continue;
+    if (steps_[outer].length == kLongestWay) break;
     const auto [way, is_new] = ways_.try_emplace({outer, name}, static_cast<Names>(steps_.size()));
-    if (is_new) steps_.push_back({outer, name});
+    if (is_new) steps_.push_back({outer, steps_[outer].length + 1, name});
     outer = way->second;
   }
   return outer;

@@ -31,8 +31,11 @@ class ObjectTable {
   std::vector<ObjectGroup> take() { return std::move(groups_); }
 
  private:
+  static constexpr std::uint32_t kLongestWay = 64;  // what is nested deeper goes by the outermost of its names
+
   struct Step {
     Names outer = 0;
+    std::uint32_t length = 0;  // names on the way
     std::string name;
   };
   struct Key {

@@ -2,6 +2,7 @@
 
 #include "render/scene/extent.h"
 #include "render/scene/scene.h"
+#include "render/scene/walk_members.h"
 
 #include <utility>
 
@@ -9,6 +10,21 @@ namespace firstlight::render {
 namespace {
 
 bool is_empty(const ObjectList& list) { return !list || list->empty(); }
+
+/// What the members of a combination are. Unions that are nested too deep for recursion become one.
+std::vector<Solid> member_regions(const Object& whole, const Transform& to_world, bool inverted) {
+  std::vector<Solid> result;
+  if (!whole.children) return result;
+  result.reserve(whole.children->size());
+  const bool deep = whole.nesting > kMostDepth && whole.kind == Object::Kind::union_;
+  const auto enter = [&](const Object& member, const Transform& around) {
+    return deep && is_plain_union(member) ? std::optional(member.placement.then(around)) : std::nullopt;
+  };
+  walk_members(whole, to_world, enter, [&](const Object& member, const Transform& around) {
+    if (std::optional<Solid> solid = region(member, around, inverted)) result.push_back(std::move(*solid));
+  });
+  return result;
+}
 
 }  // namespace
 
@@ -37,12 +53,12 @@ const ObjectList& bounds_of(const Object& object) {
                                                                                 : object.extras->bounded_by;
 }
 
-std::vector<Solid> regions(const ObjectList& objects, const Transform& to_world, bool inverted) {
+std::vector<Solid> regions(const ObjectList& objects, const Transform& to_world) {
   std::vector<Solid> result;
   if (!objects) return result;
   result.reserve(objects->size());
   for (const Object& object : *objects) {
-    if (std::optional<Solid> solid = region(object, to_world, inverted)) result.push_back(std::move(*solid));
+    if (std::optional<Solid> solid = region(object, to_world, false)) result.push_back(std::move(*solid));
   }
   return result;
 }
@@ -74,7 +90,7 @@ std::optional<Solid> region(const Object& object, const Transform& to_world, boo
   if (object.kind == Object::Kind::shape) {
     solid.shape = placed_shape(object, here, complement);
   } else {
-    solid.set_members(regions(object.children, here, complement));
+    solid.set_members(member_regions(object, here, complement));
   }
   solid.set_clips(regions(clips_of(object), here));
   solid.set_bounds(bounding_regions(bounds_of(object), here));

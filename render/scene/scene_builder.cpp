@@ -5,6 +5,7 @@
 #include "render/scene/object_table.h"
 #include "render/scene/region.h"
 #include "render/scene/texture_table.h"
+#include "render/scene/walk_members.h"
 
 #include <algorithm>
 #include <cstddef>
@@ -16,6 +17,12 @@
 namespace firstlight::render {
 namespace {
 
+using Moves = std::shared_ptr<const std::vector<Transform>>;  ///< null: none
+
+std::span<const Transform> span_of(const Moves& moves) {
+  return moves ? std::span<const Transform>(*moves) : std::span<const Transform>();
+}
+
 /// What a node of an object's tree hands down to what it is made of.
 struct Inherited {
   Transform to_world;  ///< from the space of the node's parts
@@ -26,7 +33,7 @@ struct Inherited {
   std::uint8_t hidden_from = 0;
   bool inverted = false;
   bool double_illuminate = false;
-  std::span<const Transform> moves;  ///< of the dissolved unions around, one after another, for extent()
+  Moves moves;  ///< of the dissolved unions around, one after another, for extent()
 };
 
 std::uint8_t hidden_bits(const Object& object) {
@@ -36,7 +43,7 @@ std::uint8_t hidden_bits(const Object& object) {
 }
 
 /// The moves of what is in `object`, around which lie others that were moved by `outer`.
-std::vector<Transform> moves_within(const Object& object, std::span<const Transform> outer) {
+Moves moves_within(const Object& object, const Moves& outer) {
   std::vector<Transform> moves;
   if (object.cramped) {
     for (const std::optional<Transform>& step : object.extras->box_steps) {
@@ -45,12 +52,15 @@ std::vector<Transform> moves_within(const Object& object, std::span<const Transf
   } else if (!object.placement.is_identity()) {
     moves.push_back(object.placement);
   }
-  moves.insert(moves.end(), outer.begin(), outer.end());
+  if (moves.empty()) return outer;
+  if (outer) moves.insert(moves.end(), outer->begin(), outer->end());
   constexpr std::size_t kMost = 32;  // more are taken together: unions are nested by the thousand
-  if (moves.size() <= kMost) return moves;
-  Transform all;
-  for (const Transform& move : moves) all = all.then(move);
-  return {all};
+  if (moves.size() > kMost) {
+    Transform all;
+    for (const Transform& move : moves) all = all.then(move);
+    moves = {all};
+  }
+  return std::make_shared<const std::vector<Transform>>(std::move(moves));
 }
 
 bool is_empty(const ObjectList& list) { return !list || list->empty(); }
@@ -60,8 +70,13 @@ bool has_surface(const Solid& solid) {
 }
 
 bool has_form(const Object& object) {
-  return object.extras->form ||
-         (object.children && std::any_of(object.children->begin(), object.children->end(), has_form));
+  bool found = object.extras->form != nullptr;
+  const auto look = [&found](const Object& member, bool) {
+    found = found || member.extras->form;
+    return std::optional(true);
+  };
+  walk_members(object, true, look, [](const Object&, bool) {});
+  return found;
 }
 
 /// Room for some more at once: a list that grows step by step is there twice while it moves.
@@ -98,7 +113,9 @@ struct SceneBuilder::State {
   Inherited at_node(const Object& object, const Inherited& parent);
   void promote_finish(std::uint32_t texture, std::uint32_t interior);
   bool dissolves(const Object& object, const Inherited& parent) const;
-  void link(const Object& object, const Inherited& parent);
+  std::optional<Inherited> within(const Object& object, const Inherited& parent);
+  void link(const Object& object);
+  void add_solid(const Object& object, const Inherited& parent);
   void note_region(const ObjectList& objects);
   void note_form(const Form& form, const Inherited& node);
   void note_object(const std::shared_ptr<const Object>& object);
@@ -176,25 +193,36 @@ bool SceneBuilder::State::dissolves(const Object& object, const Inherited& paren
   const ObjectExtras& extras = object.extras;
   if (!is_empty(extras.clipped_by) || !object.split_union) return false;
   if (is_empty(extras.bounded_by) || extras.light_group || is_empty(object.children)) return true;
-  const std::vector<Transform> moves = moves_within(object, parent.moves);
+  const Moves moves = moves_within(object, parent.moves);
   return bounding.split_unions && std::ranges::none_of(*object.children, [&](const Object& child) {
-           return extent(child, moves).is_unbounded();
+           return extent(child, span_of(moves)).is_unbounded();
          });
+}
+
+/// What holds in a union that dissolves; nothing for any other object.
+std::optional<Inherited> SceneBuilder::State::within(const Object& object, const Inherited& parent) {
+  if (!dissolves(object, parent)) return std::nullopt;
+  if (is_empty(object.children)) return parent;
+  Inherited node = at_node(object, parent);
+  node.moves = moves_within(object, parent.moves);
+  make_room(scene->solids, object.children->size());
+  make_room(scene->parts, object.children->size());
+  return node;
 }
 
 /// Makes top-level solids of `object`. Those of a union that dissolves are its members': rays meet them faster one by
 /// one. They keep their order, for of members that meet a ray at equal depths POV-Ray shows the first.
-void SceneBuilder::State::link(const Object& object, const Inherited& parent) {
-  if (dissolves(object, parent)) {
-    if (is_empty(object.children)) return;
-    const std::vector<Transform> moves = moves_within(object, parent.moves);
-    Inherited node = at_node(object, parent);
-    node.moves = moves;
-    make_room(scene->solids, object.children->size());
-    make_room(scene->parts, object.children->size());
-    for (const Object& child : *object.children) link(child, node);
-    return;
+void SceneBuilder::State::link(const Object& object) {
+  const auto enter = [this](const Object& member, const Inherited& parent) { return within(member, parent); };
+  const auto visit = [this](const Object& member, const Inherited& parent) { add_solid(member, parent); };
+  if (const auto inside = within(object, Inherited())) {
+    walk_members(object, *inside, enter, visit);
+  } else {
+    add_solid(object, Inherited());
   }
+}
+
+void SceneBuilder::State::add_solid(const Object& object, const Inherited& parent) {
   size = object.size;
   Solid& solid = scene->solids.emplace_back();
   if (!freeze(object, parent, true, solid) || !has_surface(solid)) {
@@ -203,7 +231,7 @@ void SceneBuilder::State::link(const Object& object, const Inherited& parent) {
     return;
   }
   solid.matter = matter;
-  if (object.cramped || !solid.is_plain()) solid.set_extent(extent(object, parent.moves));
+  if (object.cramped || !solid.is_plain()) solid.set_extent(extent(object, span_of(parent.moves)));
   if (is_unbounded(solid)) unbounded_end = scene->solids.size();
 }
 
@@ -230,9 +258,13 @@ bool SceneBuilder::State::freeze(const Object& object, const Inherited& parent, 
   } else if (object.children) {
     std::vector<Solid> members;
     members.reserve(object.children->size());
-    for (const Object& child : *object.children) {
-      if (!freeze(child, node, false, members.emplace_back())) members.pop_back();
-    }
+    const bool deep = object.nesting > kMostDepth && object.kind == Object::Kind::union_;
+    const auto enter = [&](const Object& child, const Inherited& around) {
+      return deep && is_plain_union(child) ? std::optional(at_node(child, around)) : std::nullopt;
+    };
+    walk_members(object, node, enter, [&](const Object& child, const Inherited& around) {
+      if (!freeze(child, around, false, members.emplace_back())) members.pop_back();
+    });
     solid.set_members(std::move(members));
   }
   if (!object.extras.is_initial()) {
@@ -249,10 +281,15 @@ bool SceneBuilder::State::freeze(const Object& object, const Inherited& parent, 
 /// Clips and bounds are shapes without surfaces: only what they are made of counts.
 void SceneBuilder::State::note_region(const ObjectList& objects) {
   if (!objects) return;
-  for (const Object& object : *objects) {
+  const auto look = [this](const Object& object, bool) {
     scene->unrendered.add(object.extras->unrendered);
-    for (const auto* within : {&object.children, &object.extras->clipped_by, &object.extras->bounded_by})
-      note_region(*within);
+    note_region(object.extras->clipped_by);
+    note_region(object.extras->bounded_by);
+    return std::optional(true);
+  };
+  for (const Object& object : *objects) {
+    look(object, true);
+    walk_members(object, true, look, [](const Object&, bool) {});
   }
 }
 
@@ -341,7 +378,7 @@ void SceneBuilder::add(const Object& object, const TexturePtr& default_texture) 
   if (state_->default_texture != default_texture) state_->default_texture = default_texture;
   state_->matter = static_cast<std::uint32_t>(state_->scene->interiors.size());
   state_->top = &object;
-  state_->link(object, Inherited());
+  state_->link(object);
   state_->top = nullptr;
 }
 

@@ -25,7 +25,7 @@ FeatureUses uses_of(const Pigment& pigment) {
 class PatternFunction final : public Function {
  public:
   explicit PatternFunction(Patterning pattern)
-      : Function(3, 1, kPatternCost, 0, uses_of(pattern)), pattern_(std::move(pattern)) {}
+      : Function(3, 1, kPatternCost, pattern.depth + 1, uses_of(pattern)), pattern_(std::move(pattern)) {}
   void evaluate(const double* arguments, double* results, Evaluation&) const override {
     const bool known = pattern_.field && unrendered().empty();
     const Vec3 point(arguments[0], arguments[1], arguments[2]);
@@ -39,7 +39,7 @@ class PatternFunction final : public Function {
 class PigmentFunction final : public Function {
  public:
   explicit PigmentFunction(Pigment pigment)
-      : Function(3, 5, kPatternCost, 0, uses_of(pigment)), pigment_(std::move(pigment)) {}
+      : Function(3, 5, kPatternCost, pigment.pattern->depth + 1, uses_of(pigment)), pigment_(std::move(pigment)) {}
   void evaluate(const double* arguments, double* results, Evaluation&) const override {
     std::fill_n(results, result_count(), 0.0);
     if (!unrendered().empty()) return;

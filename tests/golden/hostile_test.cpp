@@ -120,6 +120,14 @@ INSTANTIATE_TEST_SUITE_P(
         Hostile{"ifs", nested("#if(1) ", "sphere{0,1}", " #end ", 20000)},
         Hostile{"powers", "#declare A = " + repeat("2-", kDeep) + "1;"},
         Hostile{"macro_recursion", "#macro A(N) #if (N > 0) A(N - 1) #end #end A(20000)"},
+        Hostile{"grown_union",
+                "#declare A = sphere{0,1} #for(I,1,100000) #declare A = union{object{A} sphere{I,1}} #end object{A}"},
+        Hostile{"grown_union_cut",
+                "#declare A = sphere{0,1} #for(I,1,100000) #declare A = union{object{A} sphere{I,1}} #end "
+                "difference{box{-2,1} object{A}}"},
+        Hostile{"grown_lights",
+                "#declare A = light_source{0,1} #for(I,1,100000) #declare A = light_source{0,1 looks_like{object{A}}} "
+                "#end light_source{A}"},
         Hostile{"many_objects", repeat("sphere{0,1}\n", 50000)},
         Hostile{"long_name", "#declare " + std::string(1000000, 'a') + " = 1;"},
         Hostile{"long_line", std::string(5000000, ' ')},

@@ -28,6 +28,45 @@ TEST(Limit, ArraysThatAreCopiedAreBounded) {
             kTooLarge);
 }
 
+TEST(Limit, UnionsNestAsDeepAsALoopMakesThem) {
+  const std::string grow = "#declare A = sphere { 0, 1 } #for (I, 1, 100000) #declare A = ";
+  const auto scene = scene_of(grow + "union { object { A } sphere { I, 1 } } #end object { A }");
+  EXPECT_EQ(scene->solids.size(), 100'001u);
+  const auto cut =
+      scene_of(grow + "union { object { A } sphere { I, 1 } } #end difference { box { -1, 1 } object { A } }");
+  EXPECT_EQ(cut->solids.size(), 1u);
+  EXPECT_EQ(debugged(grow + "union { object { A } sphere { I, 1 } } #end #debug str(max_extent(A).x, 0, 0)\n"
+                            "#debug str(inside(A, 50000), 0, 0) #debug str(inside(A, -5), 0, 0)"),
+            "10000110");
+}
+
+TEST(Limit, WhatElseIsNestedIsRefused) {
+  const std::string start = "#declare A = sphere { 0, 1 } #for (I, 1, 100000) #declare A = ";
+  for (const std::string text :
+       {"difference { object { A } sphere { I, 1 } }", "merge { object { A } sphere { I, 1 } }",
+        "sphere { 0, 1 clipped_by { A } }", "light_source { 0, 1 looks_like { object { A } } }",
+        "light_source { 0, 1 projected_through { object { A } } }"}) {
+    EXPECT_EQ(debugged(start + text + " #end object { A }"), "error: objects are nested more than 1000 deep") << text;
+  }
+  EXPECT_NE(debugged("#declare P = pigment { rgb 1 } #for (I, 1, 100000) #declare F = function { pigment { P } }\n"
+                     "#declare P = pigment { function { F(x, y, z).x } } #undef F #end sphere { 0, 1 pigment { P } }"),
+            "");
+}
+
+TEST(Limit, UnionsNestAsDeepAsAMacroMakesThem) {
+  EXPECT_EQ(debugged("#macro Grow(A, N)\n"
+                     "#if (N > 0) Grow(union { union { object { A } sphere { N, 1 } } sphere { -N, 1 } }, N - 1)\n"
+                     "#else object { A } #end #end Grow(sphere { 0, 1 }, 900) #debug \"done\""),
+            "done");
+}
+
+TEST(Limit, AnObjectOfTooManyEndsTheReading) {
+  const std::string mistakes = debugged(
+      "#declare A = sphere { 0, 1 } #for (I, 1, 40) #declare A = union { object { A } object { A } } #end\n"
+      "#declare B = C;");
+  EXPECT_EQ(mistakes, "error: object is made of more than 4000000 others");
+}
+
 TEST(Limit, ValuesThatAreGoneDoNotCount) {
   EXPECT_EQ(
       errors_within(kMemory, "#macro M() #local A = array[20000]; #declare A[5] = 1; #end #for (I, 1, 100) M() #end"),

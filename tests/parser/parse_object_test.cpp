@@ -169,7 +169,7 @@ TEST(ParseObject, NestingIsLimited) {
 }
 
 TEST(ParseObject, ObjectsMadeOfObjectsInALoopAreLimited) {
-  EXPECT_NE(errors(load("#declare A = sphere { 0, 1 } #for (I, 1, 5000) #declare A = union { object { A } sphere { I, "
+  EXPECT_NE(errors(load("#declare A = sphere { 0, 1 } #for (I, 1, 5000) #declare A = merge { object { A } sphere { I, "
                         "1 } } #end A"))
                 .find("nested more than"),
             std::string::npos);
