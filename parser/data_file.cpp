@@ -1,5 +1,7 @@
 #include "parser/data_file.h"
 
+#include "parser/own_work.h"
+
 #include <system_error>
 #include <utility>
 
@@ -21,6 +23,7 @@ DataWriter::DataWriter(fs::path path, bool append) : path_(std::move(path)) {
     stream_ = std::fopen(draft_.c_str(), "wbx");
   }
   std::error_code error;
+  is_own_ = !append || !fs::exists(path_, error) || is_own_work(path_);
   if (stream_ == nullptr || !append || !fs::exists(path_, error)) return;
   std::FILE* before = std::fopen(path_.c_str(), "rb");
   bool copied = before != nullptr;
@@ -53,7 +56,8 @@ bool DataWriter::write(std::string_view text) {
 
 bool DataWriter::finish() {
   if (stream_ == nullptr) return true;
-  bool written = std::ferror(stream_) == 0;
+  bool written = std::ferror(stream_) == 0 && std::fflush(stream_) == 0;
+  if (written && is_own_) mark_own_work(fileno(stream_));
   written = std::fclose(stream_) == 0 && written;
   stream_ = nullptr;
   std::error_code error;

@@ -51,6 +51,7 @@ class DataWriter {
 
   std::filesystem::path path_, draft_;
   std::FILE* stream_ = nullptr;
+  bool is_own_ = true;  // nothing of others is in it
 };
 
 /// What a name means that #fopen has declared: one of both.

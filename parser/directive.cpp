@@ -7,8 +7,7 @@
 #include <algorithm>
 #include <array>
 #include <filesystem>
-#include <fstream>
-#include <iterator>
+#include <optional>
 #include <utility>
 
 namespace firstlight::parser {
@@ -71,11 +70,10 @@ void Interpreter::read_permissions() {
     Diagnostic error;
     error.file = path;
     error.message = "the permissions cannot be read";
-    std::ifstream stream(path);
-    if (!stream) throw SyntaxError({error});
-    const std::string text{std::istreambuf_iterator<char>(stream), {}};
+    const std::optional<std::string> text = SourceFiles::text_of(path);
+    if (!text) throw SyntaxError({error});
     std::vector<std::string> problems;
-    all.push_back(Permissions::parse(text, Permissions::places(), problems));
+    all.push_back(Permissions::parse(*text, Permissions::places(), problems));
     if (problems.empty()) continue;
     error.message = problems.front();
     throw SyntaxError({error});
@@ -271,7 +269,7 @@ const SourceFiles::Result& Interpreter::found_file(const SourceFiles::Result& re
     case SourceFiles::Status::missing:
       fail(at, "there is no file '" + name + "' in the current folder, the scene's or the library folders");
     case SourceFiles::Status::forbidden:
-      fail(at, "'" + result.path +
+      fail(at, "'" + name +
                    "' may not be read: a scene may read files of its own folder, the current folder, the library "
                    "folders, and where its permissions allow");
     case SourceFiles::Status::too_large:

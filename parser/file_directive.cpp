@@ -8,6 +8,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <filesystem>
+#include <system_error>
 #include <utility>
 
 namespace firstlight::parser {
@@ -60,8 +62,10 @@ std::string text_of(const Numbers& numbers) {
   return result + "> ";
 }
 
-void skip_comma(DataReader& data) {
-  if (data.peek().is(Punctuation::comma)) data.take();
+bool accept_comma(DataReader& data) {
+  const bool found = data.peek().is(Punctuation::comma);
+  if (found) data.take();
+  return found;
 }
 
 }  // namespace
@@ -91,6 +95,7 @@ void Interpreter::run_fopen(const Token& word) {
                             "' may not be written: a scene may write files where its permissions allow, " +
                             "which is the current folder and below unless others are given");
     }
+    check_place(place.path, path, mode.is(Keyword::append), at.location);
     file->writer = std::make_unique<DataWriter>(place.path, mode.is(Keyword::append));
     if (!file->writer->is_open()) fail(at.location, "'" + path + "' cannot be written");
     std::erase_if(written_files_, [](const std::weak_ptr<DataFile>& old) { return old.expired(); });
@@ -115,6 +120,28 @@ void Interpreter::run_fclose(const Token& word) {
   scopes_.remove(name.symbol);
 }
 
+// Whether a file may be written there: what others have made stays, and a scene cannot fill a disk.
+void Interpreter::check_place(const std::string& path, const std::string& name, bool append, const Location& at) {
+  if (!made_files_.contains(path) && !files_.may_replace(path)) {
+    fail(at, "'" + name +
+                 "' is there already and is not what a scene has written, so it is not replaced: permissions of "
+                 "'--permissions' allow it");
+  }
+  made_files_.insert(path);
+  if (made_files_.size() > kMostFiles) {
+    fail_finally(at, "this scene writes too many files (limit " + std::to_string(kMostFiles) + ")");
+  }
+  std::error_code error;
+  const std::uintmax_t before = append ? std::filesystem::file_size(path, error) : 0;
+  if (!error) count_written(before, at);
+}
+
+void Interpreter::count_written(std::uint64_t bytes, const Location& at) {
+  written_bytes_ += bytes;
+  if (written_bytes_ <= kMostWritten) return;
+  fail_finally(at, "this scene writes too much (limit " + std::to_string(kMostWritten >> 20) + " MiB)");
+}
+
 void Interpreter::close_data_file(DataFile& file, const Location& at) {
   if (!file.writer) return;
   const std::string path = file.writer->path().string();
@@ -127,6 +154,12 @@ void Interpreter::close_data_file(DataFile& file, const Location& at) {
 void Interpreter::close_data_files() {
   for (const std::weak_ptr<DataFile>& file : written_files_) {
     if (const auto open = file.lock()) close_data_file(*open, peek().location);
+  }
+}
+
+void Interpreter::discard_data_files() {
+  for (const std::weak_ptr<DataFile>& file : written_files_) {
+    if (const auto open = file.lock()) open->writer.reset();
   }
 }
 
@@ -159,9 +192,10 @@ void Interpreter::run_read(const Token& word) {
   while (!raw_next().is(Punctuation::right_paren)) {
     const Target target = parse_target(word);
     if (!ended) {
-      if (std::optional<Value> value = parse_datum(*file->reader)) store(target, std::move(*value));
-      skip_comma(*file->reader);
-      ended = file->reader->peek().is_end();
+      std::optional<Value> value = parse_datum(*file->reader);
+      // POV-Ray looks for a comma and finds the end; behind a comma it does not look on.
+      ended = !value || (!accept_comma(*file->reader) && file->reader->peek().is_end());
+      if (value) store(target, std::move(*value));
     }
     skip_raw_comma();
   }
@@ -184,7 +218,7 @@ std::optional<Value> Interpreter::parse_datum(DataReader& data) {
   numbers.size = 0;
   while (numbers.size < 2 || (numbers.size < 5 && !data.peek().is(Punctuation::greater))) {
     numbers.values[numbers.size++] = parse_data_number(data);
-    skip_comma(data);
+    accept_comma(data);
   }
   const Token closing = data.take();
   if (!closing.is(Punctuation::greater)) {
@@ -232,10 +266,7 @@ void Interpreter::run_write(const Token& word) {
     } else {
       fail(at.location, "expected a number, a vector or a string to write, found " + describe_next());
     }
-    written_bytes_ += text.size();
-    if (written_bytes_ > kMostWritten) {
-      fail(at.location, "this scene writes too much (limit " + std::to_string(kMostWritten >> 20) + " MiB)");
-    }
+    count_written(text.size(), at.location);
     if (!file->writer->write(text)) fail(at.location, "the file cannot be written");
   }
   take();

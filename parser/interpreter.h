@@ -36,7 +36,8 @@ class Interpreter final : public TokenStream {
   static constexpr std::uint64_t kMostSteps = 100'000'000;
   static constexpr std::size_t kMostMistakes = 20;         // told of in one run
   static constexpr std::size_t kMostFailures = 500;        // with those that follow from others
-  static constexpr std::uint64_t kMostWritten = 1u << 30;  // bytes, by all of a scene's #write
+  static constexpr std::uint64_t kMostWritten = 1u << 30;  // bytes, by all of a scene's #write; with what it appends to
+  static constexpr std::size_t kMostFiles = 1000;          // that a scene writes
 
   Interpreter(const render::LoadOptions& options, render::Diagnostics& diagnostics, SceneContext& context);
 
@@ -193,8 +194,11 @@ class Interpreter final : public TokenStream {
   void run_write(const Token& word);
   std::shared_ptr<DataFile> take_data_file(const Token& word, Token& name);
   const SourceFile* open_for_reading(const std::string& path, const Location& at);
+  void check_place(const std::string& path, const std::string& name, bool append, const Location& at);
+  void count_written(std::uint64_t bytes, const Location& at);
   void close_data_file(DataFile& file, const Location& at);
   void close_data_files();
+  void discard_data_files();
   std::optional<Value> parse_datum(DataReader& data);
   double parse_data_number(DataReader& data);
 
@@ -220,6 +224,7 @@ class Interpreter final : public TokenStream {
   std::vector<Scopes::Slot> arguments_;  // of the macros whose arguments are being read
   std::vector<std::weak_ptr<DataFile>> written_files_;
   std::uint64_t written_bytes_ = 0;
+  std::set<std::string> made_files_;
   std::uint64_t steps_ = 0;
   // Mistakes so far, and what their consequences are known by.
   std::size_t mistakes_ = 0, failures_ = 0;

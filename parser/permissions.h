@@ -22,15 +22,19 @@ class Permissions {
   /// Where this process finds them.
   static Places places();
 
-  /// What holds when nobody says anything else: reading where POV-Ray's Debian package lets a scene read; writing in
-  /// the working folder and below.
+  /// What holds when nobody says anything else: reading POV-Ray's include files and examples; reading and writing in the
+  /// working folder and below. Hidden files and folders there are left alone, and of the root folder what is below.
   static Permissions built_in(const Places& places);
   /// `text` of a .conf file; what it says that has no meaning goes to `problems` as "line 3: ...".
   static Permissions parse(std::string_view text, const Places& places, std::vector<std::string>& problems);
 
-  void allow_reading(const std::filesystem::path& folder) { rules_.push_back({canonical(folder), true, false}); }
+  /// Reading in that folder and below, but for what is hidden there.
+  void allow_reading(const std::filesystem::path& folder);
   bool may_read(const std::filesystem::path& path) const;
   bool may_write(const std::filesystem::path& path) const;
+  /// Whether a path stays, as far as its words tell, in folders that may be read and on the way to them. The file system
+  /// is not asked.
+  bool may_reach(const std::filesystem::path& path) const;
 
  private:
   enum class Security { none, read_only, restricted };
@@ -38,8 +42,12 @@ class Permissions {
     std::filesystem::path folder;  // canonical
     bool below = false;            // holds for the folders in it too
     bool write = false;
+    bool hidden = false;            // holds for names that begin with a dot too
+    std::filesystem::path spelled;  // the folder as it was named
   };
+  static Rule rule_of(const std::filesystem::path& folder);
   static std::filesystem::path canonical(const std::filesystem::path& path);
+  static bool holds(const Rule& rule, const std::filesystem::path& folder, const std::filesystem::path& path);
   bool matches(const std::filesystem::path& path, bool write) const;
   bool parse_rule(std::string_view line, const Places& places);
 

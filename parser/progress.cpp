@@ -10,6 +10,8 @@ void Interpreter::look_around() {
   const Frame& frame = frames_.back();
   const Token& token = frame.file->tokens[std::min(frame.position, frame.end)];
   if (options_.stop != nullptr && options_.stop->load(std::memory_order_relaxed)) {
+    // To unwind from here may take longer than the caller waits, and the files must not be left half written.
+    discard_data_files();
     fail_finally(token.location, "reading the scene was stopped here");
   }
   if (!options_.progress) return;

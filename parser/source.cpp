@@ -1,5 +1,7 @@
 #include "parser/source.h"
 
+#include "parser/own_work.h"
+
 #include <algorithm>
 #include <array>
 #include <cctype>
@@ -27,6 +29,16 @@ fs::path resolved(const fs::path& path) {
   std::error_code error;
   fs::path result = fs::weakly_canonical(path, error);
   return error ? fs::path() : result;
+}
+
+/// The same behind links, also of one whose target is not there.
+fs::path followed(fs::path path) {
+  constexpr int kMostLinks = 40;
+  std::error_code error;
+  for (int i = 0; i < kMostLinks && fs::is_symlink(fs::symlink_status(path, error)); ++i) {
+    path = path.parent_path() / fs::read_symlink(path, error);
+  }
+  return resolved(path);
 }
 
 bool is_file(const fs::path& path) {
@@ -127,7 +139,8 @@ SourceFiles::Result SourceFiles::read_scene(const std::string& path, const std::
   folders_.push_back(resolved(fs::absolute(path, error)).parent_path());
   for (const std::string& folder : library_paths) folders_.push_back(resolved(folder));
   for (const char* folder : kStandardIncludeFolders) folders_.push_back(resolved(folder));
-  if (permissions_.empty()) {
+  is_built_in_ = permissions_.empty();
+  if (is_built_in_) {
     permissions_.push_back(Permissions::built_in(Permissions::places()));
     for (const fs::path& folder : folders_) permissions_.back().allow_reading(folder);
   }
@@ -155,18 +168,26 @@ SourceFiles::Result SourceFiles::find_file(const std::string& name, const std::v
                                            const SourceFile& from) const {
   if (name.empty() || name.find('\0') != std::string::npos) return {Status::missing, nullptr, name, false};
   const Found found = find(candidate_names(name, extensions), from);
-  if (found.path.empty()) return {Status::missing, nullptr, name, false};
-  return {may_read_found(found.path) ? Status::found : Status::forbidden, nullptr,
-          found.path.lexically_normal().string(), found.other_case, found.other_slashes};
+  if (found.path.empty()) return {found.leads_out ? Status::forbidden : Status::missing, nullptr, name, false};
+  return {Status::found, nullptr, found.path.lexically_normal().string(), found.other_case, found.other_slashes};
 }
 
 SourceFiles::Result SourceFiles::place_for_writing(const std::string& name) const {
   const bool is_name = !name.empty() && name.find('\0') == std::string::npos;
-  const fs::path path = is_name ? resolved(folders_.front() / name) : fs::path();
+  const fs::path named = is_name ? folders_.front() / name : fs::path();
+  // Where links outside lead is not to be told.
+  const fs::path path = is_name && may_reach(named) ? followed(named) : named.lexically_normal();
   const bool allowed = !path.empty() && path.has_filename() &&
                        std::all_of(permissions_.begin(), permissions_.end(),
                                    [&](const Permissions& permissions) { return permissions.may_write(path); });
   return {allowed ? Status::found : Status::forbidden, nullptr, path.empty() ? name : path.string(), false};
+}
+
+bool SourceFiles::may_replace(const fs::path& path) const {
+  if (!is_built_in_) return true;
+  std::error_code error;
+  if (!fs::exists(fs::symlink_status(path, error))) return true;
+  return path != files_.front()->path && is_own_work(path);
 }
 
 std::string SourceFiles::standard_file_with(std::string_view name) const {
@@ -190,28 +211,45 @@ void SourceFiles::forget(const fs::path& canonical) {
   }
 }
 
+// What may not be read is as if it were not there, so that nothing is told about it: whether a name leads out is seen by
+// the name alone.
 SourceFiles::Found SourceFiles::find(const std::vector<std::string>& names, const SourceFile& from) const {
   // The current directory's files keep the name they were asked for, which makes for short messages.
   std::vector<fs::path> folders = {fs::path()};
   folders.insert(folders.end(), folders_.begin() + 1, folders_.end());
   folders.insert(folders.begin() + 2, from.path.parent_path());
+  bool leads_out = true, link_leads_out = false;
+  const auto whole = [&](const fs::path& folder) { return folder.empty() ? folders_.front() : folder; };
+  const auto leads_in = [&](const fs::path& folder, const std::string& name) {
+    const bool may = may_reach(whole(folder) / name);
+    leads_out = leads_out && !may;
+    return may;
+  };
   for (const fs::path& folder : folders) {
     for (const std::string& name : names) {
-      if (is_file(folder / name)) return {folder / name, false};
+      const fs::path path = folder / name;
+      if (!leads_in(folder, name)) continue;
+      if (!may_read_found(whole(folder) / name)) {
+        link_leads_out = true;
+      } else if (is_file(path)) {
+        return {path, false};
+      }
     }
   }
-  if (fs::path(names.front()).is_absolute()) return {};
   for (const fs::path& folder : folders) {
     for (const std::string& name : names) {
-      const fs::path found = find_ignoring_case(folder.empty() ? fs::path(".") : folder, name);
-      if (!found.empty() && is_file(found)) return {found, true};
+      if (fs::path(name).is_absolute() || !leads_in(folder, name)) continue;
+      const fs::path place = find_ignoring_case(folder.empty() ? fs::path(".") : folder, name);
+      if (!place.empty() && is_file(place) && may_read_found(place)) return {place, true};
     }
   }
   // Scenes written on Windows.
-  if (names.front().find('\\') == std::string::npos) return {};
+  Found found;
+  found.leads_out = leads_out || link_leads_out;
+  if (names.front().find('\\') == std::string::npos) return found;
   std::vector<std::string> with_slashes = names;
   for (std::string& name : with_slashes) std::replace(name.begin(), name.end(), '\\', '/');
-  Found found = find(with_slashes, from);
+  found = find(with_slashes, from);
   found.other_slashes = true;
   return found;
 }
@@ -221,7 +259,12 @@ bool SourceFiles::may_read_found(const fs::path& path) const {
   const fs::path folder = resolved(path.parent_path());
   const bool standard = std::any_of(kStandardIncludeFolders.begin(), kStandardIncludeFolders.end(),
                                     [&](const char* name) { return resolved(name) == folder; });
-  return may_read(standard ? folder / path.filename() : resolved(path));
+  return may_read(standard ? folder / path.filename() : followed(path));
+}
+
+bool SourceFiles::may_reach(const fs::path& path) const {
+  return std::all_of(permissions_.begin(), permissions_.end(),
+                     [&](const Permissions& permissions) { return permissions.may_reach(path); });
 }
 
 bool SourceFiles::may_read(const fs::path& path) const {
@@ -234,23 +277,32 @@ SourceFiles::Result SourceFiles::read(const fs::path& path, std::string name) {
   for (const auto& file : files_) {
     if (file->path == where) return {Status::found, file.get(), name, false};
   }
-  std::error_code error;
-  if (!is_file(path)) return {Status::unreadable, nullptr, name, false};
-  const std::uintmax_t size = fs::file_size(path, error);
-  if (error) return {Status::unreadable, nullptr, name, false};
-  if (size > kLargestFile) return {Status::too_large, nullptr, name, false};
-  std::ifstream stream(path, std::ios::binary);
+  Status status = Status::unreadable;
+  std::optional<std::string> text = text_of(path, &status);
+  if (!text) return {status, nullptr, name, false};
   auto file = std::make_unique<SourceFile>();
-  file->text.resize(size);
-  if (!stream || !stream.read(file->text.data(), static_cast<std::streamsize>(size))) {
-    return {Status::unreadable, nullptr, name, false};
-  }
+  file->text = *std::move(text);
   file->index = static_cast<std::uint32_t>(files_.size());
   file->name = std::move(name);
   file->path = where;
   file->line_starts = find_line_starts(file->text);
   files_.push_back(std::move(file));
   return {Status::found, files_.back().get(), files_.back()->name, false};
+}
+
+std::optional<std::string> SourceFiles::text_of(const fs::path& path, Status* why) {
+  std::error_code error;
+  if (!is_file(path)) return std::nullopt;
+  const std::uintmax_t size = fs::file_size(path, error);
+  if (error) return std::nullopt;
+  if (size > kLargestFile) {
+    if (why != nullptr) *why = Status::too_large;
+    return std::nullopt;
+  }
+  std::ifstream stream(path, std::ios::binary);
+  std::string text(size, '\0');
+  if (!stream || !stream.read(text.data(), static_cast<std::streamsize>(size))) return std::nullopt;
+  return text;
 }
 
 }  // namespace firstlight::parser

@@ -6,6 +6,7 @@
 
 #include <filesystem>
 #include <memory>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -33,7 +34,8 @@ render::Diagnostic diagnostic_at(const SourceFile& file, const Location& locatio
 ///
 /// Order    A relative name is looked for in the current directory, the scene's folder, the including file's folder,
 ///          the library paths, the standard include folders [POV-Ray 3.7 asks the current directory first too].
-/// Limits   Only regular files of at most kLargestFile bytes that the permissions allow: a scene is untrusted.
+/// Limits   Only regular files of at most kLargestFile bytes that the permissions allow: a scene is untrusted. A file
+///          that is forbidden is not told from one that is not there.
 class SourceFiles {
  public:
   static constexpr std::uintmax_t kLargestFile = 64u << 20;
@@ -56,8 +58,13 @@ class SourceFiles {
   Result read_data(const std::string& name, const SourceFile& from);
   /// The path of a file that others read; it may lack one of the extensions.
   Result find_file(const std::string& name, const std::vector<std::string>& extensions, const SourceFile& from) const;
+  /// The text of a regular file of bounded size; nothing when it cannot be read, which `why` tells more of.
+  static std::optional<std::string> text_of(const std::filesystem::path& path, Status* why = nullptr);
   /// The canonical path of a file that may be written.
   Result place_for_writing(const std::string& name) const;
+  /// Whether what is at that path may be replaced: nothing, what this program has made, or anything under permissions of
+  /// .conf files. The scene itself never is, without them.
+  bool may_replace(const std::filesystem::path& canonical) const;
   /// The standard include file, not read so far, that declares `name` at the beginning of a line; empty when none does.
   std::string standard_file_with(std::string_view name) const;
   /// The file at that path has changed: read it anew when it is asked for again.
@@ -69,8 +76,10 @@ class SourceFiles {
     std::filesystem::path path;
     bool other_case = false;
     bool other_slashes = false;
+    bool leads_out = false;  ///< the name leads out of all folders that may be read
   };
   Found find(const std::vector<std::string>& names, const SourceFile& from) const;
+  bool may_reach(const std::filesystem::path& path) const;
   bool may_read(const std::filesystem::path& canonical) const;
   bool may_read_found(const std::filesystem::path& path) const;
   Result read_found(Result found);
@@ -78,6 +87,7 @@ class SourceFiles {
 
   std::vector<std::filesystem::path> folders_;  ///< searched in this order; the first is the current directory
   std::vector<Permissions> permissions_;
+  bool is_built_in_ = false;  // the permissions are those that hold when nobody gives others
   std::vector<std::unique_ptr<SourceFile>> files_;
 };
 

@@ -78,11 +78,81 @@ TEST(DataFile, ReadsIntoArraysAndLeavesTheRestUndeclared) {
             "200");
 }
 
+TEST(DataFile, ACommaBehindTheLastValueMakesForOneMoreTurn) {
+  const WorkingFolder folder;
+  const std::string count =
+      "#fopen F \"data\" read #declare N = 0; #while (defined(F)) #read (F, A) #declare N = N + 1; #end\n"
+      "#debug concat(str(N, 0, 0), \" \", str(A, 0, 0))";
+  folder.write("data", "1,2,3,\n");
+  EXPECT_EQ(debugged(count), "4 3");
+  folder.write("data", "1,2,3\n");
+  EXPECT_EQ(debugged(count), "3 3");
+}
+
+TEST(DataFile, ValuesNeedNoCommas) {
+  const WorkingFolder folder;
+  folder.write("data", "1 2 3\n4 <5, 6, 7>\n\"end\"");
+  EXPECT_EQ(debugged("#fopen F \"data\" read #read (F, A, B, C, D, V, S) #debug concat(str(A + B + C + D, 0, 0), "
+                     "str(V.z, 0, 0), S, str(defined(F), 0, 0))"),
+            "107end0");
+}
+
 TEST(DataFile, AppendsToWhatIsThere) {
   const WorkingFolder folder;
-  folder.write("log", "one\n");
+  EXPECT_EQ(debugged("#fopen F \"log\" write #write (F, \"one\\n\") #fclose F"), "");
   EXPECT_EQ(debugged("#fopen F \"log\" append #write (F, \"two\\n\") #fclose F"), "");
   EXPECT_EQ(folder.read("log"), "one\ntwo\n");
+}
+
+TEST(DataFile, WhatOthersHaveMadeStays) {
+  const WorkingFolder folder;
+  folder.write("notes", "mine");
+  for (const std::string mode : {"write", "append"}) {
+    EXPECT_EQ(debugged("#fopen F \"notes\" " + mode),
+              "error: 'notes' is there already and is not what a scene has written, so it is not replaced: permissions "
+              "of '--permissions' allow it");
+  }
+  EXPECT_EQ(folder.read("notes"), "mine");
+  EXPECT_NE(debugged("#fopen F \".hidden\" write"), "");
+  EXPECT_EQ(folder.files(), 1u);
+}
+
+TEST(DataFile, WhatASceneHasWrittenIsReplacedUntilSomeoneChangesIt) {
+  const WorkingFolder folder;
+  const std::string write = "#fopen F \"out\" write #write (F, 1) #fclose F";
+  EXPECT_EQ(debugged(write), "");
+  EXPECT_EQ(debugged(write), "");
+  std::filesystem::last_write_time(folder.path() / "out", std::filesystem::file_time_type::clock::now());
+  folder.write("out", "edited");
+  EXPECT_NE(debugged(write), "");
+  EXPECT_EQ(folder.read("out"), "edited");
+}
+
+TEST(DataFile, PermissionsOfAFileAllowReplacing) {
+  const WorkingFolder folder;
+  folder.write("notes", "mine");
+  folder.write("own.conf", "[Permitted Paths]\nread+write* = .\n");
+  const SceneFile scene("#version 3.7; global_settings { assumed_gamma 1 }\n#fopen F \"notes\" write #write (F, 1)");
+  render::LoadOptions options;
+  options.permission_files = {"own.conf"};
+  EXPECT_EQ(errors(PovFrontEnd().load(scene.path(), options)), "");
+  EXPECT_EQ(folder.read("notes"), "1");
+}
+
+TEST(DataFile, TheNumberOfFilesIsBounded) {
+  const WorkingFolder folder;
+  EXPECT_EQ(debugged("#for (I, 1, 2000) #fopen F concat(\"f\", str(I, 0, 0)) write #fclose F #end"),
+            "error: this scene writes too many files (limit 1000)");
+  EXPECT_EQ(folder.files(), 1000u);
+}
+
+TEST(DataFile, WhatIsAppendedToCountsAsWritten) {
+  const WorkingFolder folder;
+  const std::string text =
+      "#declare K = \"0123456789abcdef\"; #for (I, 1, 12) #declare K = concat(K, K); #end\n"
+      "#fopen F \"base\" write #for (I, 1, 600) #write (F, K) #end #fclose F\n"
+      "#for (I, 1, 100) #fopen F \"base\" append #write (F, K) #fclose F #end";
+  EXPECT_EQ(debugged(text), "error: this scene writes too much (limit 1024 MiB)");
 }
 
 TEST(DataFile, IsIncludedAsItWasWrittenLast) {

@@ -111,11 +111,28 @@ TEST(Include, ALinkOutOfTheFolderMayNotBeRead) {
   std::filesystem::create_symlink("/etc/hostname", folder.path() + "/link.inc");
   EXPECT_NE(errors(folder.load("#include \"link.inc\"")).find("may not be read"), std::string::npos);
 }
-TEST(Include, AConfigurationMayPermitLess) {
+TEST(Include, FilesElsewhereAreNotToldFromNone) {
+  const Folder folder, other;
+  other.add("Part.inc", "");
+  const std::string place = "#include \"" + other.path() + "/";
+  const auto message = [&](const std::string& name) {
+    std::string text = errors(folder.load(name + "\""));
+    return text.substr(text.find("' may not"));
+  };
+  EXPECT_EQ(message(place + "Part.inc"), message(place + "none.inc"));
+  const std::string up = "#include \"../" + std::filesystem::path(other.path()).filename().string() + "/";
+  EXPECT_EQ(message(up + "Part.inc"), message(up + "none.inc"));
+  EXPECT_EQ(message(up + "part.inc"), message(up + "none.inc"));
+  std::filesystem::create_symlink(other.path() + "/Part.inc", folder.path() + "/there.inc");
+  std::filesystem::create_symlink(other.path() + "/none.inc", folder.path() + "/none.inc");
+  EXPECT_EQ(message("#include \"there.inc"), message("#include \"none.inc"));
+  EXPECT_EQ(debugs(folder.load("#debug str(file_exists(\"" + other.path() + "/Part.inc\"), 0, 0)")), "0\n");
+}
+TEST(Include, AConfigurationPermitsMoreOrLess) {
   const Folder folder, other;
   const auto part = other.add("part.inc", "#debug \"part\"");
   const std::string text = "#include \"" + part.string() + "\"";
-  EXPECT_EQ(debugs(folder.load(text)), "part\n");
+  EXPECT_NE(errors(folder.load(text)).find("may not be read"), std::string::npos);
   render::LoadOptions options;
   options.permission_files = {folder.add("povray.conf", "[Permitted Paths]\nread* = " + other.path()).string()};
   EXPECT_EQ(debugs(folder.load(text, options)), "part\n");

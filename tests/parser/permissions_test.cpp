@@ -63,8 +63,36 @@ TEST(Permissions, BuiltInOnesWriteInTheWorkingFolderAndBelow) {
   const Permissions permissions = Permissions::built_in(kPlaces);
   EXPECT_TRUE(permissions.may_write("/home/anna/scenes/below/out.txt"));
   EXPECT_FALSE(permissions.may_write("/home/anna/out.txt"));
-  EXPECT_TRUE(permissions.may_read("/home/anna/other/x.inc"));
+  EXPECT_TRUE(permissions.may_read("/home/anna/scenes/below/x.inc"));
+  EXPECT_FALSE(permissions.may_read("/home/anna/other/x.inc"));
+  EXPECT_FALSE(permissions.may_read("/tmp/x.inc"));
   EXPECT_FALSE(permissions.may_read("/etc/passwd"));
+}
+
+TEST(Permissions, BuiltInOnesLeaveHiddenFilesAlone) {
+  const Permissions permissions = Permissions::built_in(kPlaces);
+  EXPECT_FALSE(permissions.may_read("/home/anna/scenes/.ssh/id"));
+  EXPECT_FALSE(permissions.may_write("/home/anna/scenes/.profile"));
+  EXPECT_FALSE(permissions.may_read("/home/anna/scenes/a/.b/c"));
+}
+
+TEST(Permissions, TheRootFolderPermitsNothingBelow) {
+  const Permissions permissions = Permissions::built_in({kPlaces.install, "", "/"});
+  EXPECT_FALSE(permissions.may_read("/etc/passwd"));
+  EXPECT_FALSE(permissions.may_write("/etc/passwd"));
+  std::vector<std::string> problems;
+  const Permissions home =
+      Permissions::parse("[Permitted Paths]\nread* = %HOME%\n", {kPlaces.install, "", "/opt"}, problems);
+  EXPECT_FALSE(home.may_read("/etc/passwd"));
+}
+
+TEST(Permissions, ReachIsSeenByTheWordsOfAPath) {
+  const Permissions permissions = Permissions::built_in(kPlaces);
+  EXPECT_TRUE(permissions.may_reach("/home/anna/scenes/parts/../x.inc"));
+  EXPECT_TRUE(permissions.may_reach("/home/anna/scenes/x.inc"));
+  EXPECT_FALSE(permissions.may_reach("/home/anna/scenes/../other/x.inc"));
+  EXPECT_FALSE(permissions.may_reach("/home/anna/scenes/../other/../scenes/x.inc"));
+  EXPECT_FALSE(permissions.may_reach("/etc/passwd"));
 }
 
 }  // namespace
