@@ -1,5 +1,7 @@
 #include "render/scene/diagnostic.h"
 
+#include "render/scene/escaped.h"
+
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -67,11 +69,11 @@ std::string excerpt(const Diagnostic& d) {
 }  // namespace
 
 std::string format(const Diagnostic& diagnostic) {
-  std::string place = diagnostic.file;
+  std::string place = escaped(diagnostic.file);
   if (diagnostic.line > 0) place += fmt::format(":{}", diagnostic.line);
   if (diagnostic.line > 0 && diagnostic.column > 0) place += fmt::format(":{}", diagnostic.column);
   if (!place.empty()) place += ": ";
-  std::string text = fmt::format("{}{}: {}", place, word(diagnostic.severity), diagnostic.message);
+  std::string text = fmt::format("{}{}: {}", place, word(diagnostic.severity), escaped_lines(diagnostic.message));
   if (diagnostic.line > 0 && !diagnostic.source_line.empty()) text += excerpt(diagnostic);
   return text;
 }

@@ -60,6 +60,14 @@ TEST(Diagnostic, PlaceAtOrBehindTheEndOfTheLineIsShownThere) {
   }
 }
 
+TEST(Diagnostic, WhatSteersATerminalIsSpelledOut) {
+  Diagnostic d = example();
+  d.message = "there is no file '\x1b[2Jx'";
+  d.file = "a\nb\x1b.pov";
+  d.source_line.clear();
+  EXPECT_EQ(format(d), "a\\nb\\x1b.pov:4:1: error: there is no file '\\x1b[2Jx'");
+}
+
 TEST(Diagnostic, LongLinesAreCutAroundThePlace) {
   Diagnostic d = example();
   d.source_line = std::string(5000, ' ') + "box" + std::string(5000, '.');
