@@ -54,8 +54,8 @@ enum class Foresight { some, none };
 /// Finds what rays meet in a frozen scene.
 ///
 /// Order    The answer to a query depends on the scene and the query alone: not on the other queries of a block, the
-///          traversal, or the machine's vector width. Of crossings at exactly equal depth the lowest solid index wins;
-///          inside one solid the crossing that the solid reports last, as POV-Ray's stack of intersections has it.
+///          traversal, or the machine's vector width. Of solids met at one depth TieOrder says which is seen; inside
+///          one solid the crossing that the solid reports last, as POV-Ray's stack of intersections has it.
 /// Memory   Nothing is allocated per ray; each thread keeps a scratch list for solids with many crossings.
 /// Ends     While an Interrupt lives, construction and answers end early when it is asked to, and are of no use then.
 /// Threads  Immutable after construction.

@@ -3,6 +3,7 @@
 #include "render/math/interrupt.h"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 
 namespace firstlight::render {
@@ -44,7 +45,7 @@ SphereGroup group_of_one(std::uint32_t sphere) {
 
 }  // namespace
 
-Leaves::Leaves(const Scene& scene) {
+Leaves::Leaves(const Scene& scene) : tie_order(scene) {
   opaque_parts.reserve(scene.parts.size());
   for (const Part& part : scene.parts) opaque_parts.push_back(part.opaque);
 
@@ -100,6 +101,7 @@ Leaves::Leaves(const Scene& scene) {
       }
     }
   }
+  mark_coincident(planes);
   tree = WideTree(items);
   if (Interrupt::asked()) return;
   if (!tree.built()) {
@@ -112,6 +114,22 @@ Leaves::Leaves(const Scene& scene) {
       add_block(round, group_of_one(ref.index()));
     } else {
       beside.push_back(ref);
+    }
+  }
+}
+
+void mark_coincident(std::span<PlaneLeaf> planes) {
+  constexpr double kRoom = 1e-6;
+  constexpr std::size_t kMany = 1000;  // so many are not compared with each other: all are in doubt
+  for (std::size_t i = 0; i < planes.size(); ++i) {
+    if (planes.size() > kMany) planes[i].in_doubt = true;
+    for (std::size_t k = 0; k < i && planes.size() <= kMany; ++k) {
+      PlaneLeaf& a = planes[i];
+      PlaneLeaf& b = planes[k];
+      const double side = a.normal.dot(b.normal) < 0.0 ? -1.0 : 1.0;
+      const bool parallel = (a.normal - b.normal * side).length2() < kRoom * kRoom;
+      const bool together = std::abs(a.offset - b.offset * side) <= kRoom * (1.0 + std::abs(a.offset));
+      if (parallel && together) a.in_doubt = b.in_doubt = true;
     }
   }
 }

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "render/accel/accel.h"
+#include "render/accel/tie_order.h"
 #include "render/accel/wide_tree.h"
 #include "render/shape/box.h"
 #include "render/shape/plane.h"
@@ -37,6 +38,7 @@ struct PlaneLeaf {
   Vec3 normal;
   double offset;
   LeafHead head;
+  bool in_doubt = false;  ///< another lies where it lies
 };
 
 struct BoxLeaf {
@@ -63,6 +65,7 @@ struct Leaves {
   std::vector<ChildRef> beside;    ///< leaves whose box does not fit a tree
   std::vector<bool> opaque_parts;  ///< Part::opaque of each part
   WideTree tree;
+  TieOrder tie_order;
 
   explicit Leaves(const Scene& scene);
 
@@ -75,6 +78,9 @@ struct Leaves {
 
   void add_block(const std::vector<RoundSphere>& all, const SphereGroup& group);
 };
+
+/// Marks planes that lie in one place.
+void mark_coincident(std::span<PlaneLeaf> planes);
 
 // The bodies of the hierarchy's traversal, for the best instruction set that the machine has.
 void find_closest(const Leaves& leaves, const RayBlock& rays, std::span<Hit> hits);

@@ -36,7 +36,24 @@ class ClosestSearch {
   ClosestSearch(const Leaves& leaves, const RayBlock& rays, FloatRays& float_rays, std::span<Hit> hits)
       : leaves_(leaves), rays_(rays), float_rays_(float_rays), hits_(hits) {}
 
-  double limit(std::size_t i) const { return hits_[i].depth; }
+  /// Begins with the plane that ray i meets first, -1 for none, at `depth`, or else its max_depth.
+  HWY_INLINE void begin(std::size_t i, std::int64_t plane, double depth) {
+    Hit& hit = hits_[i];
+    runner_up_[i] = rays_.max_depth[i];
+    if (plane >= 0) {
+      const PlaneLeaf& leaf = leaves_.planes[static_cast<std::size_t>(plane)];
+      hit = {depth, leaf.head.part, 0, leaf.head.shape, leaf.head.solid};
+      if (leaf.in_doubt) runner_up_[i] = depth;
+    } else {
+      hit = Hit();
+      hit.depth = depth;
+    }
+  }
+
+  /// Some beyond the nearest crossing, so that all are met which are in doubt.
+  double limit(std::size_t i) const { return hits_[i].depth * (1.0 + TieOrder::kDoubt); }
+  /// Whether another solid than that of the nearest crossing was met as near. The same whatever was visited first.
+  bool in_doubt(std::size_t i) const { return runner_up_[i] <= limit(i) && runner_up_[i] < rays_.max_depth[i]; }
 
   /// Ray i meets what `ref` stands for. Pre: it is a leaf.
   HWY_INLINE void visit(std::size_t i, ChildRef ref) {
@@ -93,7 +110,11 @@ class ClosestSearch {
   HWY_INLINE void offer(std::size_t i, double depth, std::uint32_t face, const LeafHead& head, double from) {
     Hit& hit = hits_[i];
     if (!(depth > rays_.min_depth[i] && depth >= from)) return;
-    if (!(depth < hit.depth || (depth == hit.depth && head.solid < hit.solid))) return;
+    if (!(depth < hit.depth)) {
+      if (head.solid != hit.solid) runner_up_[i] = std::min(runner_up_[i], depth);
+      return;
+    }
+    if (head.solid != hit.solid) runner_up_[i] = hit.depth;
     hit = {depth, head.part, face, head.shape, head.solid};
     float_rays_.last[i] = FloatRays::above(depth);
   }
@@ -123,6 +144,7 @@ class ClosestSearch {
   std::uint64_t early_ = 0;  ///< bits of rays that met a cramped solid before its box
   Column<std::uint32_t> early_solid_;
   Column<double> early_depth_;
+  Column<double> runner_up_;  ///< the depth of the nearest crossing of another solid than the hit's
 };
 
 /// Looks for any opaque crossing of each ray of a block.
@@ -292,26 +314,24 @@ HWY_INLINE void walk(const Leaves& leaves, const RayBlock& rays, FloatRays& floa
   }
 }
 
-void closest_of_block(const Leaves& leaves, const RayBlock& rays, std::span<Hit> hits) {
+/// Bits of the rays for which another solid lies where the hit is.
+std::uint64_t closest_of_block(const Leaves& leaves, const RayBlock& rays, std::span<Hit> hits) {
   PlaneHits planes;
   meet_planes(leaves.planes, rays, planes);
-  for (std::size_t i = 0; i < rays.size; ++i) {
-    if (planes.plane[i] >= 0) {
-      const LeafHead& head = leaves.planes[static_cast<std::size_t>(planes.plane[i])].head;
-      hits[i] = {planes.depth[i], head.part, 0, head.shape, head.solid};
-    } else {
-      hits[i] = Hit();
-      hits[i].depth = planes.depth[i];
-      hits[i].solid = 0;  // a crossing at exactly max_depth must not win the tie
-    }
-  }
   FloatRays float_rays(rays, planes.depth, leaves.tree);
   ClosestSearch search(leaves, rays, float_rays, hits);
+  for (std::size_t i = 0; i < rays.size; ++i) search.begin(i, planes.plane[i], planes.depth[i]);
   walk(leaves, rays, float_rays, 0, search);
-  search.put_back();
+  std::uint64_t in_doubt = 0;
   for (std::size_t i = 0; i < rays.size; ++i) {
-    if (hits[i].part == kNoIndex) hits[i] = Hit();
+    if (hits[i].part == kNoIndex) {
+      hits[i] = Hit();
+    } else if (search.in_doubt(i)) {
+      in_doubt |= std::uint64_t{1} << i;
+    }
   }
+  search.put_back();
+  return in_doubt;
 }
 
 std::uint64_t occluded_of_block(const Leaves& leaves, const RayBlock& rays) {
@@ -333,7 +353,11 @@ HWY_EXPORT(closest_of_block);
 HWY_EXPORT(occluded_of_block);
 
 void find_closest(const Leaves& leaves, const RayBlock& rays, std::span<Hit> hits) {
-  HWY_DYNAMIC_DISPATCH(closest_of_block)(leaves, rays, hits);
+  std::uint64_t in_doubt = HWY_DYNAMIC_DISPATCH(closest_of_block)(leaves, rays, hits);
+  for (; in_doubt != 0; in_doubt &= in_doubt - 1) {
+    const auto i = static_cast<std::size_t>(__builtin_ctzll(in_doubt));
+    hits[i] = leaves.tie_order.seen(rays, i);
+  }
 }
 
 std::uint64_t find_occluded(const Leaves& leaves, const RayBlock& rays) {

@@ -11,11 +11,6 @@ namespace {
 /// [POV-Ray 3.7]
 constexpr double kParallel = 1e-10;
 
-Vec3 unit(const Vec3& v) {
-  const double length = std::sqrt(v.dot(v));
-  return length > 0.0 ? v / length : v;
-}
-
 }  // namespace
 
 void look_at(Camera& camera, const Vec3& target) {

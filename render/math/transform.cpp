@@ -99,11 +99,14 @@ Transform Transform::scaling(const Vec3& factors) {
 }
 
 Transform Transform::rotation_about(const Vec3& axis, double degrees) {
-  const double length = axis.length();
-  if (!(length > 0.0) || degrees == 0.0) return Transform();
-  const Vec3 u = axis / length;
-  const double c = std::cos(degrees * kRadiansPerDegree);
-  const double s = std::sin(degrees * kRadiansPerDegree);
+  return turning(axis, degrees * kRadiansPerDegree);
+}
+
+Transform Transform::turning(const Vec3& axis, double radians) {
+  const Vec3 u = unit(axis);
+  if (!(u.length2() > 0.0) || radians == 0.0) return Transform();
+  const double c = std::cos(radians);
+  const double s = std::sin(radians);
   Mat4 matrix;
   // Rodrigues' rotation as a matrix for row vectors: u u^T (1 - c) + I c + [u]x^T s.
   for (int i = 0; i < 3; ++i) {

@@ -21,6 +21,8 @@ class Transform {
   static Transform scaling(const Vec3& factors);
   /// Degrees about `axis` (any length but zero).
   static Transform rotation_about(const Vec3& axis, double degrees);
+  /// The same in radians.
+  static Transform turning(const Vec3& axis, double radians);
   static bool is_invertible(const Mat4& matrix);
 
   bool is_identity() const { return matrices_.is_initial(); }

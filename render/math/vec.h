@@ -4,6 +4,8 @@
 #include <ImathMatrix.h>
 #include <ImathVec.h>
 
+#include <cmath>
+
 namespace firstlight::render {
 
 using Vec2 = Imath::V2d;
@@ -21,5 +23,12 @@ struct Ray {
 
   Vec3 at(double depth) const { return origin + direction * depth; }
 };
+
+/// `v` at unit length; zero stays zero. It is multiplied by the reciprocal, as in POV-Ray: the last bit of a ray or a
+/// normal decides between two surfaces in one place.
+inline Vec3 unit(const Vec3& v) {
+  const double length = std::sqrt(v.dot(v));
+  return length > 0.0 ? v * (1.0 / length) : v;
+}
 
 }  // namespace firstlight::render

@@ -73,7 +73,7 @@ struct Scene {
   Camera camera;
   Atmosphere atmosphere;
   std::vector<Light> lights;
-  /// Top-level solids in the order in which equal depths are decided: the lower index wins.
+  /// Top-level solids in the order of the scene text, which has a part in who is seen of those in one place.
   std::vector<Solid> solids;
   std::vector<Part> parts;
   std::vector<PlacedTexture> textures;

@@ -86,13 +86,6 @@ void make_room(std::vector<T>& list, std::size_t more) {
   if (size > list.capacity()) list.reserve(std::max(size, 2 * list.capacity()));
 }
 
-/// Whether POV-Ray keeps it out of its bounding hierarchy.
-bool is_unbounded(const Solid& solid) {
-  constexpr double kUnboundedVolume = 2e10;
-  const Vec3 size = solid.box().size();
-  return !(size.x * size.y * size.z <= kUnboundedVolume);
-}
-
 }  // namespace
 
 /// The scene as far as it has been described. Objects are frozen as they arrive, so the descriptions need not be kept.
@@ -100,11 +93,10 @@ struct SceneBuilder::State {
   std::unique_ptr<Scene> scene = std::make_unique<Scene>();
   TextureTable textures;
   ObjectTable objects;
-  TexturePtr default_texture;     ///< of the object that is being added
-  const Object* top = nullptr;    ///< that object
-  std::uint32_t matter = 0;       ///< of that object: the interior that its topmost node will make
-  std::uint64_t size = 1;         ///< of the top-level solid at hand
-  std::size_t unbounded_end = 0;  ///< behind the last solid that is_unbounded()
+  TexturePtr default_texture;   ///< of the object that is being added
+  const Object* top = nullptr;  ///< that object
+  std::uint32_t matter = 0;     ///< of that object: the interior that its topmost node will make
+  std::uint64_t size = 1;       ///< of the top-level solid at hand
   bool has_camera = false;
   BoundingRules bounding;
   Shared<Interior> surroundings;  ///< see air()
@@ -123,7 +115,6 @@ struct SceneBuilder::State {
   void note_atmosphere();
   bool freeze(const Object& object, const Inherited& parent, bool top_level, Solid& solid);
   void add_part(Solid& solid, const Object& object, const Inherited& leaf);
-  void order_solids();
   void finish();
 };
 
@@ -232,7 +223,6 @@ void SceneBuilder::State::add_solid(const Object& object, const Inherited& paren
   }
   solid.matter = matter;
   if (object.cramped || !solid.is_plain()) solid.set_extent(extent(object, span_of(parent.moves)));
-  if (is_unbounded(solid)) unbounded_end = scene->solids.size();
 }
 
 /// Makes of `object` one solid, closed. False for a light, which goes to the scene's lights, and for what is no solid.
@@ -331,16 +321,6 @@ void SceneBuilder::State::add_part(Solid& solid, const Object& object, const Inh
   scene->parts.push_back(part);
 }
 
-/// Of two surfaces in one place the lower index shows. That is the order of the scene text, but POV-Ray meets unbounded
-/// objects before all others as soon as it uses its bounding hierarchy: from three objects and lights on.
-void SceneBuilder::State::order_solids() {
-  constexpr std::size_t kBoundingThreshold = 3;
-  if (scene->solids.size() + scene->lights.size() < kBoundingThreshold) return;
-  // Most scenes have few, and partitioning takes as much memory again as what it works on.
-  const auto end = scene->solids.begin() + static_cast<std::ptrdiff_t>(unbounded_end);
-  std::stable_partition(scene->solids.begin(), end, is_unbounded);
-}
-
 void SceneBuilder::State::note_atmosphere() {
   const Atmosphere& atmosphere = scene->atmosphere;
   for (const Fog& fog : atmosphere.fogs) scene->unrendered.add(fog.unrendered);
@@ -385,7 +365,6 @@ void SceneBuilder::add(const Object& object, const TexturePtr& default_texture) 
 std::size_t SceneBuilder::object_count() const { return state_->scene->solids.size() + state_->scene->described; }
 
 std::unique_ptr<const Scene> SceneBuilder::build() {
-  state_->order_solids();
   state_->finish();
   state_->note_atmosphere();
   state_->scene->unrendered.add(state_->scene->camera.unrendered);

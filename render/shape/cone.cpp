@@ -123,7 +123,7 @@ ShapePtr make_cylinder(const Vec3& base, const Vec3& cap, double radius, bool op
   const double height = axis.length();
   if (!(height >= kEpsilon) || radius == 0.0) return nothing_at(base);
   // From the cap down to the base, as POV-Ray places it: its bounding box, which scenes may ask for, shows it.
-  return std::make_shared<Placed<Cylinder>>(Cylinder{open}, from_canonical(cap, -axis / height, radius, height));
+  return std::make_shared<Placed<Cylinder>>(Cylinder{open}, from_canonical(cap, unit(-axis), radius, height));
 }
 
 ShapePtr make_cone(const Vec3& base, double base_radius, const Vec3& cap, double cap_radius, bool open) {
@@ -139,7 +139,7 @@ ShapePtr make_cone(const Vec3& base, double base_radius, const Vec3& cap, double
   Vec3 axis = wide - narrow;
   const double height = axis.length();
   if (!(height >= kEpsilon) || wide_radius == 0.0) return nothing_at(base);
-  axis /= height;
+  axis = unit(axis);
   const double missing = narrow_radius * height / (wide_radius - narrow_radius);  // from the tip to the narrow end
   const double whole = missing + height;
   if ((wide_radius - narrow_radius) * height / whole < kEpsilon) {

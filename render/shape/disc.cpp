@@ -42,7 +42,7 @@ struct Disc {
 
 ShapePtr make_disc(const Vec3& center, const Vec3& normal, double radius, double hole_radius) {
   return std::make_shared<Placed<Disc>>(Disc{hole_radius * hole_radius, radius * radius},
-                                        from_canonical(center, normal.normalized(), 1.0, 1.0));
+                                        from_canonical(center, unit(normal), 1.0, 1.0));
 }
 
 }  // namespace firstlight::render

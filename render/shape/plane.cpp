@@ -48,8 +48,6 @@ ShapePtr Plane::placed(const Transform& transform) const {
 
 ShapePtr Plane::inverted() const { return std::make_shared<Plane>(-normal_, -offset_); }
 
-ShapePtr make_plane(const Vec3& normal, double distance) {
-  return std::make_shared<Plane>(normal.normalized(), -distance);
-}
+ShapePtr make_plane(const Vec3& normal, double distance) { return std::make_shared<Plane>(unit(normal), -distance); }
 
 }  // namespace firstlight::render

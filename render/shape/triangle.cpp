@@ -121,7 +121,7 @@ FlatTriangle::FlatTriangle(const Corners& corners) : corners_(corners) {
   const double length = normal_.length();
   if (!(length > 0.0) || !std::isfinite(length)) return;
   valid_ = true;
-  normal_ /= length;
+  normal_ *= 1.0 / length;
   offset_ = -normal_.dot(a);
   const int axis = dominant_axis(normal_);
   u_ = axis == 0 ? 1 : 0;

@@ -80,16 +80,20 @@ TEST(SceneBuilder, DissolvesUnionsInTheOrderOfTheirMembers) {
   }
 }
 
-TEST(SceneBuilder, UnboundedObjectsComeFirstFromThreeObjectsOn) {
-  Object plane;
-  plane.shape = make_plane({0.0, 1.0, 0.0}, 0.0);
-  const auto two = scene_of({sphere_at(1), plane});
-  EXPECT_NEAR(middle_x(two->solids[0]), 1.0, 1e-6);
-  const auto three = scene_of({sphere_at(1), sphere_at(2), plane});
-  EXPECT_EQ(three->solids[0].part, 2u);
-  EXPECT_EQ(three->solids[1].part, 0u);
-  EXPECT_EQ(three->solids[2].part, 1u);
-  EXPECT_EQ(scene_of({sphere_at(1), plane, light_at(1)})->solids[0].part, 1u) << "lights count";
+TEST(SceneBuilder, KeepsAUnionThatIsNotToBeSplit) {
+  Object whole = union_of({sphere_at(1), sphere_at(2)});
+  whole.split_union = false;
+  const auto scene = scene_of({whole});
+  ASSERT_EQ(scene->solids.size(), 1u);
+  EXPECT_EQ(scene->solids[0].kind, Solid::Kind::union_);
+}
+
+TEST(SceneBuilder, GivesCombinationsTheBoxThatPovRayHasOfThem) {
+  // Its corners are turned, not its members: a box about the box.
+  Object turned = intersection_of({sphere_at(0), sphere_at(0)});
+  place(turned, Transform::rotation(Vec3(0.0, 0.0, 45.0)));
+  EXPECT_NEAR(scene_of({turned})->solids[0].extent().length[0], 2.0 * std::sqrt(2.0), 1e-5);
+  EXPECT_NEAR(scene_of({sphere_at(0)})->solids[0].extent().length[0], 2.0, 1e-5);
 }
 
 TEST(SceneBuilder, KeepsAUnionThatIsClippedOrBounded) {

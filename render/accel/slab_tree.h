@@ -1,0 +1,48 @@
+#pragma once
+
+#include "render/scene/extent.h"
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+namespace firstlight::render {
+
+/// The tree of boxes in which POV-Ray 3.7 finds what a ray may meet, the same to the last node: rays that enter boxes
+/// at equal depths meet what is in them in an order that follows from it.
+///
+/// Source   The splitting rule weighs the boxes' surfaces [Goldsmith and Salmon, Automatic Creation of Object
+///          Hierarchies for Ray Tracing, 1987] over a list sorted along one axis; what is split off in one round is
+///          grouped in the next.
+/// Cost     O(n log^2 n) for most scenes.
+class SlabTree {
+ public:
+  struct Node {
+    Extent extent;
+    bool unbounded = false;   ///< met by every ray, before all that is not
+    std::uint32_t first = 0;  ///< of children(); of a leaf: the index of its extent
+    std::uint32_t count = 0;  ///< 0: a leaf
+  };
+
+  /// Of extents in the order of the scene text; at least one.
+  explicit SlabTree(std::span<const Extent> extents);
+
+  std::uint32_t root() const { return root_; }
+  const Node& node(std::uint32_t number) const { return nodes_[number]; }
+  std::span<const std::uint32_t> children(const Node& node) const {
+    return std::span(children_).subspan(node.first, node.count);
+  }
+
+ private:
+  void group(std::span<const std::uint32_t> members);
+  std::size_t best_split(std::span<const std::uint32_t> sorted) const;
+  void sort(std::span<std::uint32_t> list) const;
+  void add_unbounded(std::span<const std::uint32_t> unbounded);
+
+  std::vector<Node> nodes_;
+  std::vector<std::uint32_t> children_;
+  std::uint32_t root_ = 0;
+};
+
+}  // namespace firstlight::render
