@@ -3,8 +3,9 @@
 build_packages="g++ cmake ninja-build libembree-dev libtbb-dev libimath-dev libopenimageio-dev libpng-dev libturbojpeg0-dev
   libhwy-dev libfmt-dev nlohmann-json3-dev libcli11-dev libgtest-dev libbenchmark-dev"
 render_packages="povray-includes"  # the standard include files, found where the package puts them
-# The reference that the pictures are compared with, and the compiler of the sanitized builds.
-test_packages="povray povray-includes povray-examples clang libclang-rt-14-dev"
+# The reference that the pictures are compared with, the compiler of the sanitized builds, and the browser that opens
+# reports.
+test_packages="povray povray-includes povray-examples clang libclang-rt-14-dev chromium"
 
 say() { printf '\033[1m==>\033[0m %s\n' "$*"; }
 

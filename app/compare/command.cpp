@@ -2,6 +2,7 @@
 
 #include "app/compare/compare_scene.h"
 #include "app/compare/difference.h"
+#include "app/compare/list_command.h"
 #include "app/compare/options.h"
 #include "app/compare/process.h"
 #include "app/compare/record_json.h"
@@ -191,8 +192,9 @@ int exit_code(Status status) {
 }
 
 int compare_command(std::span<const std::string> arguments, const std::atomic<bool>& stop) {
+  if (const auto code = compare_list_command(arguments, stop)) return *code;
   CompareCommandLine line = parse_compare_command_line(arguments);
-  if (line.wish == CompareCommandLine::Wish::help) return print(compare_help_text(), 0);
+  if (line.wish == CompareCommandLine::Wish::help) return print(compare_help_text() + list_help_text(), 0);
   for (const std::string& error : line.errors) fail(error);
   if (!line.errors.empty()) return kExitUnreadable;
   const auto is_scene = [](const std::string& name) { return lower(name).ends_with(".pov"); };

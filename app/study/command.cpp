@@ -1,6 +1,7 @@
 #include "app/study/command.h"
 
 #include "app/antialias.h"
+#include "app/command_text.h"
 #include "app/front_ends.h"
 #include "app/load_scene.h"
 #include "app/output.h"
@@ -34,22 +35,6 @@ int fail(const std::string& why) {
 int interrupted() {
   say("firstlight: interrupted; no report written");
   return kExitInterrupted;
-}
-
-/// As it can be typed into a shell again.
-std::string command_text(std::span<const std::string> arguments) {
-  std::string text = "firstlight study";
-  for (const std::string& word : arguments) {
-    const bool plain = !word.empty() && word.find_first_of(" \t'\"\\;*?()[]<>|&$`#~") == std::string::npos;
-    if (plain) {
-      text += " " + word;
-      continue;
-    }
-    text += " '";
-    for (const char c : word) text += c == '\'' ? std::string("'\\''") : std::string(1, c);
-    text += "'";
-  }
-  return text;
 }
 
 /// Fills plan.schemes. Empty, or what is wrong with one of the texts.
@@ -123,7 +108,7 @@ int study_command(std::span<const std::string> arguments, const std::atomic<bool
 
   Study study;
   study.scene = std::filesystem::path(options.scene).filename().string();
-  study.command = command_text(arguments);
+  study.command = command_text("firstlight study", arguments);
   std::string problem = measure(plan, study);
   progress.clear();
   if (stop) return interrupted();

@@ -1,5 +1,7 @@
 #include "tests/golden/scene_list.h"
 
+#include "app/compare/list.h"
+
 #include <algorithm>
 #include <cctype>
 #include <charconv>
@@ -36,21 +38,14 @@ std::optional<Number> take_number(std::string_view& text) {
   return value;
 }
 
-/// The number that follows `mark` in the scene.
-std::optional<double> number_after(const std::string& content, std::string_view mark) {
-  const std::size_t at = content.find(mark);
-  if (at == std::string::npos) return std::nullopt;
-  std::string_view rest = std::string_view(content).substr(at + mark.size());
-  return take_number<double>(rest);
-}
-
 GoldenScene golden_scene(const std::string& name, const fs::path& file) {
   GoldenScene scene;
   scene.name = test_name(name);
   scene.file = file;
-  const std::string content = content_of(file);
-  scene.share = number_after(content, "// compare: share").value_or(scene.share);
-  scene.psnr = number_after(content, "// compare: psnr");
+  app::compare::ListedScene wishes;
+  app::compare::read_wishes(content_of(file), wishes);
+  scene.share = wishes.share.value_or(scene.share);
+  scene.psnr = wishes.psnr;
   return scene;
 }
 

@@ -1,0 +1,56 @@
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <map>
+#include <mutex>
+#include <span>
+#include <string>
+#include <string_view>
+
+namespace firstlight::app::compare {
+
+/// What a file holds; empty when it cannot be read.
+std::string read_bytes(const std::filesystem::path& file);
+
+/// A number for what it was given; parts that are given one after the other are kept apart.
+/// Source  FNV-1a of 64 bits: Fowler, Noll, Vo.
+class Digest {
+ public:
+  Digest& add(std::string_view bytes);
+  Digest& add(std::int64_t number) { return add(std::to_string(number)); }
+  /// 16 hexadecimal digits.
+  std::string text() const;
+
+ private:
+  std::uint64_t state_ = 0xcbf29ce484222325u;
+};
+
+/// What scenes are made of, as digests: two that are equal stand for scenes that render alike.
+/// Threads  Any.
+class SceneContent {
+ public:
+  /// `libraries`: folders that included files and images are looked for in, beside the scene's own.
+  explicit SceneContent(std::span<const std::filesystem::path> libraries)
+      : libraries_(libraries.begin(), libraries.end()) {}
+
+  /// Of the scene, of every file whose name stands between quotes in it or in such a file, and, because names can be
+  /// put together, of every other file beside the scene but for scenes.
+  std::string of(const std::filesystem::path& scene);
+  /// Of one file; that of nothing when it cannot be read.
+  std::string of_file(const std::filesystem::path& file);
+
+ private:
+  struct File {
+    std::string digest;
+    std::vector<std::string> names;  ///< between quotes
+  };
+
+  File look_at(const std::filesystem::path& file);
+
+  std::vector<std::filesystem::path> libraries_;
+  std::mutex mutex_;
+  std::map<std::filesystem::path, File> known_;
+};
+
+}  // namespace firstlight::app::compare

@@ -1,0 +1,17 @@
+# firstlight_embed(TARGET SOURCE_NAME NAMESPACE FILES...): the texts of the files as functions of the target's own source, named
+# after them: index.js is index_js(). The header beside them declares what they are.
+function(firstlight_embed target name namespace)
+  set(code "// Made when the build is configured.\n#include <string_view>\n")
+  string(APPEND code "namespace ${namespace} {\n")
+  foreach(file IN LISTS ARGN)
+    set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS "${file}")
+    get_filename_component(function "${file}" NAME)
+    string(MAKE_C_IDENTIFIER "${function}" function)
+    file(READ "${file}" text)
+    string(APPEND code "std::string_view ${function}() {\n  return R\"embedded(${text})embedded\";\n}\n")
+  endforeach()
+  string(APPEND code "}  // namespace ${namespace}\n")
+  set(generated "${CMAKE_BINARY_DIR}/embedded/${name}.cpp")
+  file(CONFIGURE OUTPUT "${generated}" CONTENT "@code@" @ONLY)
+  target_sources(${target} PRIVATE "${generated}")
+endfunction()
