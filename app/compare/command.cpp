@@ -115,21 +115,24 @@ int compare_pictures(const CompareCommandLine& line) {
                exit_code(status));
 }
 
-/// What a person is told of a scene that has no two pictures to compare.
+/// What a person is told of a scene that has no two pictures to compare; lines, the last one without its end.
 std::string trouble(const SceneRecord& record) {
-  const std::string scene = record.name;
+  const std::string& scene = record.name;
+  std::string missing = to_text(record.missing);
+  if (missing.ends_with('\n')) missing.pop_back();
   switch (record.status) {
     case Status::lacks_features:
       return fmt::format("{}: Firstlight cannot render what the scene asks for{}:\n{}", scene,
-                         record.povray.empty() ? "" : "; POV-Ray renders it", to_text(record.missing));
+                         record.povray.empty() ? "" : "; POV-Ray renders it", missing);
     case Status::ours_failed:
-      return fmt::format("{}: POV-Ray renders it, Firstlight does not:\n  {}\n", scene, record.message);
+      return fmt::format("{}: POV-Ray renders it, Firstlight does not:\n  {}", scene, record.message);
     case Status::povray_failed:
-      return fmt::format("{}: Firstlight renders it, POV-Ray does not:\n  {}\n", scene, record.message);
+      return fmt::format("{}: Firstlight renders it, POV-Ray does not:\n  {}", scene, record.message);
     case Status::other_size:
-      return fmt::format("{}: the pictures have different sizes: {}\n", scene, record.message);
+      return fmt::format("{}: the pictures have different sizes: {}", scene, record.message);
     default:
-      return fmt::format("{}: neither program renders it:\n  {}\n{}", scene, record.message, to_text(record.missing));
+      return fmt::format("{}: neither program renders it:\n  {}{}{}", scene, record.message,
+                         missing.empty() ? "" : "\n", missing);
   }
 }
 

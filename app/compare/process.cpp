@@ -46,6 +46,7 @@ class Launch {
   [[noreturn]] void become(pid_t parent, int out, int err) {
     setpgid(0, 0);
     prctl(PR_SET_PDEATHSIG, SIGKILL);
+    ::signal(SIGPIPE, SIG_DFL);           // which we ignore
     if (getppid() != parent) _exit(127);  // it ended before it was asked for
     const int nothing = open("/dev/null", O_RDONLY);
     dup2(nothing, STDIN_FILENO);

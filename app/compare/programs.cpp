@@ -1,5 +1,7 @@
 #include "app/compare/programs.h"
 
+#include "app/pov_switches.h"
+
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
@@ -59,11 +61,16 @@ SceneRun finished(ProcessResult process) {
   return result;
 }
 
-/// Without control characters: what a scene prints is not to steer a terminal.
-std::string printable(std::string_view text) {
-  std::string out;
-  for (const char c : text) out += static_cast<unsigned char>(c) < 0x20 || c == 0x7f ? '?' : c;
-  return out;
+/// A word as POV-Ray reads it: it takes a blank for the end of a value, even within a word, unless quotes are around it.
+std::string quoted(const std::string& word) {
+  if (word.find(' ') == std::string::npos) return word;
+  std::size_t value = word.find('=') + 1;  // 0 where there is none: the whole word
+  if (word[0] == '+' || word[0] == '-') {
+    const SwitchRow* const row = find_switch(std::string_view(word).substr(1));
+    value = row != nullptr ? 1 + row->letters.size() : 0;
+  }
+  const char mark = word.find('"') == std::string::npos ? '"' : '\'';
+  return word.substr(0, value) + mark + word.substr(value) + mark;
 }
 
 std::vector<std::string> lines_of(std::string_view text) {
@@ -104,6 +111,7 @@ SceneRun run_povray(const SceneJob& job, const CompareSettings& settings, const 
   words.insert(words.begin(), settings.povray);
   words.emplace_back("+GA");  // its times, also when an .ini file wants no messages
   words.push_back("+O" + picture.string());
+  std::ranges::transform(words.begin() + 1, words.end(), words.begin() + 1, quoted);
   std::error_code ignored;
   fs::remove(picture, ignored);
   SceneRun result = finished(run(job, settings, words));
@@ -168,10 +176,10 @@ double povray_seconds(std::string_view label, std::string_view printed) {
 std::string povray_error(std::string_view printed) {
   const std::vector<std::string> lines = unbroken_lines(printed);
   // From what says most to what only says that it failed.
-  for (const std::string_view mark : {" Parse Error: ", "Fatal error", "Failed to", "Cannot", "rror: "}) {
+  for (const std::string_view mark : {"Parse Error: ", "Fatal error", "Failed to", "Cannot", "rror: "}) {
     for (const std::string& line : lines) {
       if (line.find(mark) != std::string::npos && line.find("Possible Parse Error") == std::string::npos) {
-        return printable(line);
+        return line;
       }
     }
   }
@@ -179,8 +187,10 @@ std::string povray_error(std::string_view printed) {
 }
 
 std::string firstlight_error(std::string_view printed) {
+  constexpr std::string_view kOwnName = "firstlight: error: ";  // where no place in a file is to blame
   for (const std::string& line : lines_of(printed)) {
-    if (line.find("error: ") != std::string::npos) return printable(line);
+    if (line.starts_with(kOwnName)) return line.substr(kOwnName.size());
+    if (line.find("error: ") != std::string::npos) return line;
   }
   return {};
 }
