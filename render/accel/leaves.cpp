@@ -22,11 +22,11 @@ void add_blockers(const Solid& solid, std::vector<const Solid*>& blockers) {
   }
 }
 
-/// What casts shadows also where the feeler misses the box of a cramped solid.
-/// Source   POV-Ray 3.7 asks what blocked a light last before it asks anything else, and does not ask the box of the whole
-///          then, but that of the member alone, if its kind of shape asks it. So nearly all feelers meet it without the
-///          box. Which do not depends on the order of the pixels there; here all do, but of planes, whose shadows would be
-///          everywhere, none.
+/// Those that cast shadows also where the feeler misses the box of a cramped solid.
+/// Source   POV-Ray 3.7 asks the object that blocked a light last before all others, and then not the box of the
+///          whole, but that of the member alone, if its kind of shape asks it. So nearly all feelers meet it without
+///          the box. Which do not depends on the order of the pixels there; here all do, but of planes, whose shadows
+///          would be everywhere, none.
 std::vector<const Solid*> blockers_of(const Solid& cramped) {
   std::vector<const Solid*> blockers;
   if (cramped.kind == Solid::Kind::shape && !cramped.shape->asks_box()) blockers.push_back(&cramped);

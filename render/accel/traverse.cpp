@@ -119,7 +119,7 @@ class ClosestSearch {
     float_rays_.last[i] = FloatRays::above(depth);
   }
 
-  /// What lies before the box is met too, but not before the ray has come to the box: the hit takes part as if it were
+  /// A crossing before the box counts too, but not before the ray has come to the box: it takes part as if it were
   /// there. [POV-Ray 3.7]
   void offer_cramped(std::size_t i, const std::vector<Crossing>& crossings, LeafHead head, double from) {
     const Crossing* nearest = nullptr;

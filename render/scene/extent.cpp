@@ -20,14 +20,14 @@ constexpr double kFarthest = 1e10;
 constexpr double kAlmostFarthest = 0.999e10;
 /// A combination that is longer counts as one without bounds. [POV-Ray 3.7]
 constexpr float kLongest = 1e6f;
-/// What is larger is met by every ray. [POV-Ray 3.7]
+/// A larger one is met by every ray. [POV-Ray 3.7]
 constexpr float kUnboundedVolume = 2e10f;
 
 Box3 farthest_box() { return {Vec3(-kFarthest), Vec3(kFarthest)}; }
 
 bool is_empty(const Box3& box) { return box.min.x > box.max.x || box.min.y > box.max.y || box.min.z > box.max.z; }
 
-/// What two boxes have in common; below zero long where they are apart.
+/// The part that two boxes have in common; below zero long where they are apart.
 Box3 common(const Box3& a, const Box3& b) {
   Box3 both;
   for (int axis = 0; axis < 3; ++axis) {
@@ -46,7 +46,7 @@ Extent moved(const Extent& extent, const Transform& transform) {
   return Extent(transform.box(box));
 }
 
-/// What is below a plane, if the plane lies along two axes.
+/// The half space below a plane, if the plane lies along two axes.
 Box3 box_of_half_space(const Plane& plane) {
   constexpr double kAlmostOne = 1.0 - 1e-10;
   Box3 box = farthest_box();
@@ -63,7 +63,7 @@ bool has_place(const Object& object) {
   return object.kind != Object::Kind::light && (object.kind != Object::Kind::shape || object.shape);
 }
 
-/// What bounds or clips an object gives it its own box where that is smaller.
+/// Bounds and clips give an object their own box where that is smaller.
 Extent cut(const Extent& own, const Object& object, const Transform& here) {
   Extent result = own;
   for (const ObjectList* cutters : {&bounds_of(object), &clips_of(object)}) {
@@ -136,7 +136,7 @@ Box3 box_of_union(const Object& object) {
   }
 }
 
-/// Of a combination, in its own space. `inverse` does not change it.
+/// A combination's, in its own space. `inverse` does not change it.
 Extent extent_of_members(const Object& object) {
   if (!object.children) return Extent(farthest_box());
   return extent_around(object.kind == Object::Kind::intersection ? box_of_intersection(*object.children)

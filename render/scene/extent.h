@@ -37,9 +37,9 @@ Extent extent(const Object& object, const Transform& placement = Transform());
 /// Object::cramped): the box of a combination grows with each turn, and that of a shape is found anew, without what
 /// bounds and clips it.
 Extent extent(const Object& object, std::span<const Transform> moves);
-/// Of a shape where it stands.
+/// A shape's, where it stands.
 Extent extent(const Shape& shape);
-/// Of an object that bounds or clips another, which stands at `placement`.
+/// That of an object that bounds or clips another, which stands at `placement`.
 Extent extent_of_cutter(const Object& object, const Transform& placement);
 
 }  // namespace firstlight::render

@@ -47,7 +47,7 @@ struct ObjectExtras {
   /// Identifiers it was declared under, for choosing objects by name, the outermost first: `#declare A = object { B }`
   /// makes {"A", "B"} of both. At most kMostNames.
   std::vector<std::string> names = {};
-  /// Of a combination that is `cramped`: what has been done to its bounding box since it was combined. A move, or
+  /// If a combination is `cramped`: what has been done to its bounding box since it was combined. A move, or
   /// nothing where its bounds and clips were put about it.
   std::vector<std::optional<Transform>> box_steps = {};
   FeatureUses unrendered = {};  ///< what the object's own words ask for; children and surfaces carry theirs
@@ -78,8 +78,8 @@ struct Object {
   bool no_radiosity = false;
   bool textured = false;  ///< it or something in it has a texture of its own
   bool patch = false;     ///< it or something in it is a surface without an inside, such as a triangle
-  /// Its bounding box may be smaller than it is, and rays that miss the box miss the object: it is clipped or bounded, or
-  /// has a negative radius, or something in it is so or a disc. See extent().
+  /// Its bounding box may be smaller than it is, and rays that miss the box miss the object: it is clipped or bounded,
+  /// or has a negative radius, or something in it is so or a disc. See extent().
   bool cramped = false;
   /// How deep and how large the tree below is. Sharing lets a short text describe trees that no machine can walk;
   /// whoever builds an object keeps these in step, and the front end refuses too large ones.

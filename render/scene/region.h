@@ -25,7 +25,7 @@ ShapePtr placed_shape(const Object& object, const Transform& to_world, bool inve
 /// that are described and not made.
 std::optional<Solid> region(const Object& object, const Transform& to_world, bool inverted);
 std::vector<Solid> regions(const ObjectList& objects, const Transform& to_world);
-/// What bounds an object: rays that miss the box of such a region miss it.
+/// The bounds of an object: rays that miss the box of such a region miss it.
 std::vector<Solid> bounding_regions(const ObjectList& objects, const Transform& to_world);
 
 }  // namespace firstlight::render

@@ -12,7 +12,7 @@ struct BoundsScene {
   double share = 99.5;                  ///< of 100 pixels that must agree
 };
 
-/// Of every kind at least six, made from lists of what is combined.
+/// At least six of every kind, made from lists of what is combined.
 std::vector<BoundsScene> bounds_scenes();
 
 }  // namespace firstlight::golden
