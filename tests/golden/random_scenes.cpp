@@ -6,8 +6,8 @@
 
 #include "app/compare/compare_scene.h"
 #include "app/compare/record_text.h"
-#include "tests/golden/process.h"
 #include "tests/golden/random_scene.h"
+#include "tests/golden/run.h"
 #include "tests/golden/scene_list.h"
 
 #include <CLI/CLI.hpp>

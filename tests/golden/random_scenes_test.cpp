@@ -1,8 +1,8 @@
 // Scenes that nobody wrote look as POV-Ray renders them. firstlight_random_scenes tries more of them.
 
 #include "tests/golden/agreement.h"
-#include "tests/golden/process.h"
 #include "tests/golden/random_scene.h"
+#include "tests/golden/run.h"
 
 #include <gtest/gtest.h>
 
@@ -23,7 +23,7 @@ INSTANTIATE_TEST_SUITE_P(Seeds, RandomCsg, testing::Range<std::uint64_t>(0, 20))
 
 class Ties : public testing::TestWithParam<std::uint64_t> {};
 
-/// Every eleventh: all pairs of shapes are among them.
+/// Every twenty-third: all pairs of shapes are among them.
 TEST_P(Ties, AgreeWithPovRay) {
   const ScratchFolder scratch;
   GoldenScene scene;
