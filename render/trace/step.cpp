@@ -2,11 +2,11 @@
 
 #include "render/math/interrupt.h"
 #include "render/trace/fade.h"
+#include "render/trace/surface_limits.h"
 
 #include <algorithm>
 #include <bit>
 #include <cmath>
-#include <limits>
 #include <utility>
 
 namespace firstlight::render {
@@ -225,12 +225,11 @@ void Stepper::add_sealed(const Surface& surface, RayTask root, double exponent) 
   const Rgb weight = root.weight();
   root.set_weight(Rgb(1.0f), root.adc_weight());
   const Rgb color = trace_sealed(root);
-  // Negative light has a square, and no square root, which is so dark that no other light is seen. What is negative by the
-  // rounding of sums alone is none.
-  constexpr float kRounding = 0x1p-24f;
+  // Negative light has a square, and no square root. What is negative by the rounding of what feelers hold alone is none.
+  constexpr float kRounding = 0x1p-14f;
   const auto power = [exponent](float c) {
     const auto raised = static_cast<float>(std::pow(c < 0.0f && c > -kRounding ? 0.0f : c, exponent));
-    return std::isnan(raised) ? -std::numeric_limits<float>::infinity() : raised;
+    return std::isnan(raised) ? -static_cast<float>(kDarkness) : raised;
   };
   surface.sum->light += FixedRgb::from(weight * Rgb(power(color.x), power(color.y), power(color.z)));
 }

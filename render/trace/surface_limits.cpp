@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <optional>
 #include <unordered_set>
 
 namespace firstlight::render {
@@ -76,6 +77,11 @@ struct PigmentLimits {
 
   double most_passed() const { return std::max({passed[0].size(), passed[1].size(), passed[2].size()}); }
   bool has_negative_color() const { return std::min({color[0].low, color[1].low, color[2].low}) < 0.0; }
+  /// Whether what it shows of light that is not negative may be.
+  bool may_turn_negative() const {
+    return has_negative_color() || least_opacity_ < 0.0 ||
+           std::min({passed[0].low, passed[1].low, passed[2].low}) < 0.0;
+  }
   /// Whether it can only take light away from what goes through.
   bool only_takes() const {
     return std::ranges::all_of(
@@ -90,6 +96,7 @@ struct PigmentLimits {
     const Line opacity{1.0 - filter.begin - transmit.begin, -filter.slope - transmit.slope};
     const Channels first = channels_of(from.rgb);
     const Channels last = channels_of(to.rgb);
+    least_opacity_ = std::min({least_opacity_, opacity.begin, opacity.begin + opacity.slope});
     for (std::size_t i = 0; i < 3; ++i) {
       const Line tint{first[i], last[i] - first[i]};
       color[i].include(first[i]);
@@ -108,7 +115,38 @@ struct PigmentLimits {
 
   bool old_opacity_;
   double old_opacity_most_ = 0.0;
+  double least_opacity_ = 0.0;
 };
+
+bool is_negative(const Rgb& color) { return std::min({color.x, color.y, color.z}) < 0.0f; }
+
+/// Whether the layer may make negative light of light that is not.
+bool may_turn_negative(const TextureLayer& layer, int language_version) {
+  const Finish& finish = layer.finish;
+  const bool mirrors_too_much = finish.conserve_energy && std::max(max_component(finish.reflection_min),
+                                                                   max_component(finish.reflection_max)) > 1.0f;
+  return is_negative(finish.ambient) || is_negative(finish.emission) || is_negative(finish.reflection_min) ||
+         is_negative(finish.reflection_max) || finish.reflection_metallic < 0.0 || finish.reflection_metallic > 1.0 ||
+         finish.metallic > 1.0 || mirrors_too_much ||
+         PigmentLimits(layer.pigment, language_version).may_turn_negative();
+}
+
+/// Whether there may be negative light anywhere in the scene.
+bool may_be_negative(const Scene& scene) {
+  const Settings& settings = scene.settings;
+  return is_negative(settings.background) || is_negative(settings.ambient_light) ||
+         std::ranges::any_of(scene.lights, [](const Light& light) { return is_negative(light.color); }) ||
+         std::ranges::any_of(scene.interiors,
+                             [](const Interior& interior) {
+                               return interior.refraction_scale < 0.0 || is_negative(interior.fade_color) ||
+                                      max_component(interior.fade_color) > 1.0f;
+                             }) ||
+         std::ranges::any_of(scene.textures, [&](const PlacedTexture& placed) {
+           return std::ranges::any_of(placed.texture->layers, [&](const TextureLayer& layer) {
+             return may_turn_negative(layer, settings.language_version);
+           });
+         });
+}
 
 /// Largest factor of metallic_tint(): 1 + (color - 1) m, for m from 0 to `metallic`.
 double largest_tint(double metallic, const Range& color) {
@@ -132,6 +170,10 @@ class Maker {
     need(condition);
     return condition ? 1.0 : kUsualExcess;
   }
+  bool has_negative_light() {
+    if (!negative_light_) negative_light_ = may_be_negative(scene_);
+    return *negative_light_;
+  }
   void add_lights();
   void look_at_matter();
   double lit(const Finish& finish, const PigmentLimits& pigment, std::size_t channel);
@@ -139,11 +181,12 @@ class Maker {
 
   const Scene& scene_;
   SurfaceLimits& limits_;
-  Channels diffuse_lights_{};  ///< sum of all lights at their brightest
-  Channels shining_lights_{};  ///< of those that give highlights
-  double matter_ = 1.0;        ///< most that is left of light that crossed matter
-  bool bends_ = false;         ///< rays may be bent
-  bool goes_straight_ = true;  ///< rays may go straight on
+  Channels diffuse_lights_{};           ///< sum of all lights at their brightest
+  Channels shining_lights_{};           ///< of those that give highlights
+  double matter_ = 1.0;                 ///< most that is left of light that crossed matter
+  std::optional<bool> negative_light_;  ///< found when it is asked for
+  bool bends_ = false;                  ///< rays may be bent
+  bool goes_straight_ = true;           ///< rays may go straight on
 };
 
 void Maker::add_lights() {
@@ -226,9 +269,11 @@ void Maker::add(const Texture& texture) {
     if (finish.reflection_exponent == 1.0) {
       answer.mirrored += mirror;
     } else if (mirror > 0.0) {
-      const bool is_bounded = finish.reflection_exponent >= 0.0 && finish.reflection_exponent < INFINITY;
+      const double exponent = finish.reflection_exponent;
+      const bool is_bounded = exponent >= 0.0 && exponent < INFINITY;
       need(is_bounded);
-      answer.sealed.push_back({mirror, is_bounded ? finish.reflection_exponent : 1.0});
+      const bool may_be_dark = exponent != std::floor(exponent) && has_negative_light();
+      answer.sealed.push_back({mirror, is_bounded ? exponent : 1.0, may_be_dark});
     }
     passed *= pigment.most_passed();
     only_takes = only_takes && pigment.only_takes();
@@ -267,7 +312,9 @@ void Maker::add(const Texture& texture) {
 
 double SurfaceAnswer::from_this_side(double incoming) const {
   double light = own + mirrored * incoming;
-  for (const Power& power : sealed) light += power.factor * std::pow(incoming, power.exponent);
+  for (const Power& power : sealed) {
+    light += power.factor * std::max(std::pow(incoming, power.exponent), power.may_be_dark ? kDarkness : 0.0);
+  }
   return light;
 }
 

@@ -6,6 +6,10 @@
 
 namespace firstlight::render {
 
+/// How dark a reflection with an exponent is where the light it sees has no root: not a number, which POV-Ray shows as
+/// black whatever else is there.
+constexpr double kDarkness = 256.0;
+
 /// One way in which a surface may answer a ray: the most it makes of light, of any channel.
 /// Units    Of the light that comes to the surface, or of white.
 struct SurfaceAnswer {
@@ -13,6 +17,7 @@ struct SurfaceAnswer {
   struct Power {
     double factor = 0.0;
     double exponent = 1.0;
+    bool may_be_dark = false;  ///< kDarkness, where the light has no root
   };
 
   double own = 0.0;       ///< its own light, and diffuse light and highlights of all lights at their brightest

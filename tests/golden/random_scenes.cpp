@@ -10,6 +10,7 @@
 #include "tests/golden/run.h"
 #include "tests/golden/scene_list.h"
 
+#include <fmt/format.h>
 #include <CLI/CLI.hpp>
 
 #include <cstdio>
