@@ -76,6 +76,10 @@ void say_error(std::string_view why) noexcept {
   tell([&] { return fmt::format("firstlight: error: {}\n", render::escaped(why)); });
 }
 
+void say_error_in_lines(std::string_view why) noexcept {
+  tell([&] { return fmt::format("firstlight: error: {}\n", render::escaped_lines(why)); });
+}
+
 void say_warning(std::string_view what) noexcept {
   tell([&] { return fmt::format("firstlight: warning: {}\n", render::escaped(what)); });
 }

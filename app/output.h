@@ -17,6 +17,8 @@ void secure_standard_streams();
 void say(std::string_view text) noexcept;
 /// A line that begins with "firstlight: error: ".
 void say_error(std::string_view why) noexcept;
+/// The same of several lines, which show a place in a text.
+void say_error_in_lines(std::string_view why) noexcept;
 /// A line that begins with "firstlight: warning: ".
 void say_warning(std::string_view what) noexcept;
 /// What the scene says: `text` without an end of line of our own.

@@ -58,7 +58,7 @@ std::string check_outputs(const Options& options, const std::string& picture) {
   if (!problem.empty() || options.stats_file.empty()) return problem;
   std::error_code ignored;
   const auto place = [&](const std::string& file) {
-    return std::filesystem::weakly_canonical(render::link_target(file), ignored);
+    return std::filesystem::weakly_canonical(std::filesystem::absolute(render::link_target(file)), ignored);
   };
   if (options.write_picture && (place(options.stats_file) == place(picture) ||
                                 std::filesystem::equivalent(options.stats_file, picture, ignored))) {
@@ -143,7 +143,10 @@ int render_command(const Options& options, Clock::time_point start, const std::a
   render::Film film(options.width, options.height);
   std::optional<priority::Order> order =
       read_order(options, {&scene, options.width, options.height, parser::compile_text, &film}, problem);
-  if (!order) return fail(problem);
+  if (!order) {
+    say_error_in_lines(problem);
+    return kExitFailure;
+  }
 
   if (stop) return interrupted(start);
 

@@ -98,7 +98,10 @@ int study_command(std::span<const std::string> arguments, const std::atomic<bool
   plan.rounds = line.options.rounds;
   plan.stop = &stop;
   plan.say = [&](const std::string& what) { progress.stage(what); };
-  if (const std::string problem = choose_schemes(line.options, plan); !problem.empty()) return fail(problem);
+  if (const std::string problem = choose_schemes(line.options, plan); !problem.empty()) {
+    say_error_in_lines(problem);
+    return kExitFailure;
+  }
 
   ReportFolder folder(line.options.folder, plan.width, plan.height, render::file_encoding(plan.scene->settings));
   if (const std::string problem = folder.prepare(); !problem.empty()) return fail(problem);
