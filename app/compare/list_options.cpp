@@ -112,8 +112,9 @@ ListCommandLine parse_list_command_line(std::span<const std::string> arguments) 
   const std::vector<std::string> rest = reader.read(arguments);
   line.common = parse_compare_command_line(rest);
   const std::vector<std::string>& subjects = line.common.subjects;
-  if (std::ranges::any_of(subjects, is_folder)) line.is_asked_for = true;
-  if (subjects.size() > 1 && std::ranges::all_of(subjects, is_scene)) line.is_asked_for = true;
+  const auto holds_scenes = [](const std::string& subject) { return is_folder(subject) || is_scene(subject); };
+  const bool one_scene = subjects.size() == 1 && !is_folder(subjects[0]);
+  if (!subjects.empty() && !one_scene && std::ranges::all_of(subjects, holds_scenes)) line.is_asked_for = true;
   if (line.common.wish == CompareCommandLine::Wish::help) line.is_asked_for = false;
   if (!line.is_asked_for) return line;
   line.common.errors.insert(line.common.errors.end(), reader.errors().begin(), reader.errors().end());
