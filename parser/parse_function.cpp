@@ -8,7 +8,7 @@
 #include "parser/parse_transform.h"
 #include "render/function/internal.h"
 #include "render/function/transform_function.h"
-#include "render/texture/texture_function.h"
+#include "render/surface/texture_function.h"
 
 #include <algorithm>
 #include <array>
@@ -113,6 +113,12 @@ render::FunctionPtr parse_internal(Reader& reader, const Token& word) {
   return function;
 }
 
+/// What the scene has said of patterns so far.
+render::PatternWorld pattern_world(const SceneContext& context) {
+  const render::Settings& settings = context.builder.settings();
+  return {settings.noise_generator, settings.number_of_waves};
+}
+
 /// What may stand in a function's block instead of an expression. Null: none of it.
 render::FunctionPtr parse_special(Reader& reader, SceneContext& context) {
   const Token& word = reader.peek();
@@ -131,10 +137,12 @@ render::FunctionPtr parse_special(Reader& reader, SceneContext& context) {
     }
     case Keyword::pattern:
       reader.take();
-      return render::make_pattern_function(parse_pigment(reader, context, word, render::Pigment()).pattern);
+      return render::make_pattern_function(parse_pigment(reader, context, word, render::Pigment()).pattern,
+                                           pattern_world(context));
     case Keyword::pigment:
       reader.take();
-      return render::make_pigment_function(parse_pigment(reader, context, word, render::Pigment()));
+      return render::make_pigment_function(parse_pigment(reader, context, word, render::Pigment()),
+                                           pattern_world(context));
     default:
       return nullptr;
   }

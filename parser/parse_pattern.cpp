@@ -85,9 +85,6 @@ void parse_pattern(Reader& reader, SceneContext& context, PatternOwner& owner) {
   const Patterning& pattern = owner.pattern();
   if (pattern.kind == PatternKind::average && !owner.has_map()) reader.fail(word, "'average' needs a map");
   check_pattern_parameters(reader, word, pattern);
-  if (render::is_patterned(pattern.kind)) {
-    owner.change_pattern().field = render::make_pattern(pattern.kind, pattern.parameters);
-  }
 }
 
 void check_map_allowed(Reader& reader, const Token& word, const Patterning& pattern, bool average_allowed) {

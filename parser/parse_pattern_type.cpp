@@ -209,7 +209,7 @@ void set_wave(render::Wave& wave, PatternKind kind) {
 
 PatternKind find_kind(Keyword word) {
   switch (word) {
-#define PATTERN(word, entries) \
+#define PATTERN(word, entries, maker) \
   case Keyword::word:          \
     return PatternKind::word;
 #include "render/texture/patterns.def"

@@ -146,10 +146,6 @@ bool accept_bare_pigment(Reader& reader, SceneContext& context, Pigment& pigment
              (!accept_warp(reader, pigment.pattern.change().warps) && !owner.accept_word(reader, context))) {
     return false;
   }
-  if (render::is_patterned(pigment.pattern->kind)) {
-    render::Patterning& pattern = pigment.pattern.change();
-    pattern.field = render::make_pattern(pattern.kind, pattern.parameters);
-  }
   return true;
 }
 

@@ -37,38 +37,42 @@ double quilt(double t, const QuiltedParameters& controls) {
 
 }  // namespace
 
-PatternPtr make_boxed() {
+PatternPtr pattern::make_boxed(const PatternRequest&) {
   return make_field([](const Vec3& p) { return closeness(std::max({std::abs(p.x), std::abs(p.y), std::abs(p.z)})); });
 }
 
-PatternPtr make_cylindrical() {
+PatternPtr pattern::make_cylindrical(const PatternRequest&) {
   return make_field([](const Vec3& p) { return closeness(std::sqrt(p.x * p.x + p.z * p.z)); });
 }
 
-PatternPtr make_planar() {
+PatternPtr pattern::make_planar(const PatternRequest&) {
   return make_field([](const Vec3& p) { return closeness(std::abs(p.y)); });
 }
 
-PatternPtr make_spherical() {
+PatternPtr pattern::make_spherical(const PatternRequest&) {
   return make_field([](const Vec3& p) { return closeness(std::sqrt(p.x * p.x + p.y * p.y + p.z * p.z)); });
 }
 
-PatternPtr make_onion() {
+PatternPtr pattern::make_onion(const PatternRequest&) {
   return make_field([](const Vec3& p) { return std::fmod(std::sqrt(p.x * p.x + p.y * p.y + p.z * p.z), 1.0); });
 }
 
-PatternPtr make_leopard() { return make_field(leopard); }
+PatternPtr pattern::make_leopard(const PatternRequest&) { return make_field(leopard); }
 
-PatternPtr make_radial() { return make_field(radial); }
+PatternPtr pattern::make_radial(const PatternRequest&) { return make_field(radial); }
 
-PatternPtr make_quilted(const QuiltedParameters& parameters) {
-  return make_field([parameters](const Vec3& p) {
+PatternPtr pattern::make_quilted(const PatternRequest& request) {
+  const auto bulge = [parameters = request.get<QuiltedParameters>()](const Vec3& p) {
     const auto from_middle = [](double x) { return x - std::floor(x) - 0.5; };
     const Vec3 cell(from_middle(p.x), from_middle(p.y), from_middle(p.z));
-    const double t = std::sqrt(cell.x * cell.x + cell.y * cell.y + cell.z * cell.z);
-    const double bulge = quilt(t, parameters);
-    return (std::abs(cell.x * bulge) + std::abs(cell.y * bulge) + std::abs(cell.z * bulge)) / 3.0;
-  });
+    return cell * quilt(std::sqrt(cell.x * cell.x + cell.y * cell.y + cell.z * cell.z), parameters);
+  };
+  return make_field(
+      [bulge](const Vec3& p) {
+        const Vec3 b = bulge(p);
+        return (std::abs(b.x) + std::abs(b.y) + std::abs(b.z)) / 3.0;
+      },
+      [bulge](const Vec3& p, const Tilting& tilting) { return bulge(p) * tilting.amount; });
 }
 
 }  // namespace firstlight::render

@@ -163,8 +163,8 @@ double fractal_value(const FractalParameters& fractal, const Vec3& point) {
 
 }  // namespace
 
-PatternPtr make_fractal(const FractalParameters& parameters) {
-  return make_field([parameters](const Vec3& point) { return fractal_value(parameters, point); });
+PatternPtr pattern::make_fractal(const PatternRequest& request) {
+  return make_field([parameters = request.get<FractalParameters>()](const Vec3& point) { return fractal_value(parameters, point); });
 }
 
 }  // namespace firstlight::render

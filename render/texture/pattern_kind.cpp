@@ -12,7 +12,7 @@ struct Row {
 };
 
 constexpr auto kRows = std::to_array<Row>({
-#define PATTERN(word, entries) {#word, Feature::pattern_##word, entries},
+#define PATTERN(word, entries, maker) {#word, Feature::pattern_##word, entries},
 #include "render/texture/patterns.def"
 #undef PATTERN
 });

@@ -13,7 +13,7 @@ namespace firstlight::render {
 enum class PatternKind : std::uint8_t {
   none,
   plain,
-#define PATTERN(word, entries) word,
+#define PATTERN(word, entries, maker) word,
 #include "render/texture/patterns.def"
 #undef PATTERN
 };

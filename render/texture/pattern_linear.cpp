@@ -1,37 +1,34 @@
 // Patterns that grow in step with a coordinate.
 
+#include "render/math/noise.h"
 #include "render/texture/field.h"
 #include "render/texture/patterns.h"
 
 #include <cmath>
 
 namespace firstlight::render {
-namespace {
 
-class Gradient final : public Pattern {
- public:
-  explicit Gradient(const Vec3& unit_axis) : axis_(unit_axis) {}
-
-  /// Only values above 1 are folded back: 1 itself stays, so the far end of a unit gradient keeps its last colour, and
-  /// negative values are left to the wave, which folds them upwards. [POV-Ray 3.7]
-  double value(const Vec3& point) const override {
-    const double along = point.dot(axis_);
-    return along > 1.0 ? std::fmod(along, 1.0) : along;
-  }
-
- private:
-  Vec3 axis_;
-};
-
-}  // namespace
-
-PatternPtr make_gradient(const Vec3& axis) {
+/// Rises by one with every unit of way along an axis, whose own length does not matter. Zero everywhere for a zero axis.
+/// Only values above 1 are folded back: 1 itself stays, so the far end of a unit gradient keeps its last colour, and
+/// negative values are left to the wave, which folds them upwards. [POV-Ray 3.7]
+PatternPtr pattern::make_gradient(const PatternRequest& request) {
+  const Vec3& axis = request.get<GradientParameters>().axis;
   const double length = axis.length();
-  return std::make_shared<Gradient>(length > 0.0 ? axis / length : axis);
+  return make_field([unit = length > 0.0 ? axis / length : axis](const Vec3& point) {
+    const double along = point.dot(unit);
+    return along > 1.0 ? std::fmod(along, 1.0) : along;
+  });
 }
 
-PatternPtr make_marble() {
-  return make_field([](const Vec3& point) { return point.x; });
+/// The x coordinate itself, which turbulence moves by a sum of noise instead of moving the point.
+PatternPtr pattern::make_marble(const PatternRequest& request) {
+  if (!request.turbulence) {
+    return make_field([](const Vec3& point) { return point.x; });
+  }
+  return make_field([strength = request.turbulence->amount.x, octaves = octaves_of(*request.turbulence),
+                     generator = request.noise_generator](const Vec3& point) {
+    return point.x + strength * turbulence(point, octaves, generator);
+  });
 }
 
 }  // namespace firstlight::render

@@ -109,14 +109,14 @@ double brick(const Vec3& p, const BrickParameters& bricks) {
 
 }  // namespace
 
-PatternPtr make_brick(const BrickParameters& parameters) {
-  return make_field([parameters](const Vec3& point) { return brick(point, parameters); });
+PatternPtr pattern::make_brick(const PatternRequest& request) {
+  return make_field([parameters = request.get<BrickParameters>()](const Vec3& point) { return brick(point, parameters); });
 }
 
-PatternPtr make_checker() { return make_field(checker); }
-PatternPtr make_cubic() { return make_field(cubic); }
-PatternPtr make_hexagon() { return make_field(hexagon); }
-PatternPtr make_square() { return make_field(square); }
-PatternPtr make_triangular() { return make_field(triangular); }
+PatternPtr pattern::make_checker(const PatternRequest&) { return make_field(checker); }
+PatternPtr pattern::make_cubic(const PatternRequest&) { return make_field(cubic); }
+PatternPtr pattern::make_hexagon(const PatternRequest&) { return make_field(hexagon); }
+PatternPtr pattern::make_square(const PatternRequest&) { return make_field(square); }
+PatternPtr pattern::make_triangular(const PatternRequest&) { return make_field(triangular); }
 
 }  // namespace firstlight::render

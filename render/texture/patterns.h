@@ -1,50 +1,47 @@
 #pragma once
 
 #include "render/texture/pattern.h"
+#include "render/texture/pattern_kind.h"
 #include "render/texture/pattern_parameters.h"
+#include "render/texture/warp.h"
 
 #include <memory>
+#include <optional>
 
 namespace firstlight::render {
 
 using PatternPtr = std::shared_ptr<const Pattern>;
 
-// Makers of the patterns that are evaluated. Values are POV-Ray 3.7's. What disturbs a pattern, turbulence and warps,
-// is not their part.
+/// What the scene says of all patterns.
+struct PatternWorld {
+  int noise_generator = 2;   ///< 1 to 3, of patterns that choose none
+  int number_of_waves = 10;  ///< of `waves` and `ripples`
+};
 
-/// Rises by one with every unit of way along `axis`, whose own length does not matter. Zero everywhere for a zero axis.
-PatternPtr make_gradient(const Vec3& axis);
-/// The x coordinate itself.
-PatternPtr make_marble();
+/// What a pattern is made from.
+struct PatternRequest {
+  const PatternParameters& parameters;
+  int noise_generator;
+  const PatternWorld& world;
+  const std::optional<Turbulence>& turbulence;  ///< the word outside `warp`: a few patterns have their own use of it
 
-// From 1 at the origin (boxed: by the largest coordinate; spherical), the y axis (cylindrical) or the xz plane (planar)
-// down to 0 one unit away.
-PatternPtr make_boxed();
-PatternPtr make_cylindrical();
-PatternPtr make_planar();
-PatternPtr make_spherical();
-/// Shells one unit thick.
-PatternPtr make_onion();
-PatternPtr make_leopard();
-/// The angle about the y axis.
-PatternPtr make_radial();
-/// Bulges in unit cubes.
-PatternPtr make_quilted(const QuiltedParameters& parameters);
+  template <class Parameters>
+  const Parameters& get() const {
+    return std::get<Parameters>(parameters);
+  }
+};
 
-/// The distance from the z axis.
-PatternPtr make_wood();
-PatternPtr make_spiral1(const SpiralParameters& parameters);
-PatternPtr make_spiral2(const SpiralParameters& parameters);
+/// The makers, one a row of patterns.def, each beside its formula; values are POV-Ray 3.7's.
+namespace pattern {
+#define PATTERN(word, entries, maker) PatternPtr maker(const PatternRequest& request);
+#include "render/texture/patterns.def"
+#undef PATTERN
+}  // namespace pattern
 
-PatternPtr make_fractal(const FractalParameters& parameters);
+/// The evaluator of a pattern; null for those that cannot be rendered, and for those that are no scalar fields.
+PatternPtr make_pattern(PatternKind kind, const PatternRequest& request);
 
-// List patterns: their values are places in a list.
-PatternPtr make_brick(const BrickParameters& parameters);
-/// Unit cubes, by turns 0 and 1.
-PatternPtr make_checker();
-PatternPtr make_cubic();
-PatternPtr make_hexagon();
-PatternPtr make_square();
-PatternPtr make_triangular();
+/// Whether the word `turbulence` moves the points at which the pattern is asked; a few put it to a use of their own.
+bool is_moved_by_turbulence(PatternKind kind);
 
 }  // namespace firstlight::render

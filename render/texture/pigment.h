@@ -40,9 +40,6 @@ void make_plain(Pigment& pigment);
 /// The colours that show: the pigment's map, or what POV-Ray gives the pattern when there is none.
 const ColorMap& map_of(const Pigment& pigment);
 
-/// The pigment's colour at `point`, given in the space that the pigment is placed in.
-FilteredColor color_at(const Pigment& pigment, const Vec3& point);
-
 /// Whether the pigment lets light through anywhere.
 bool lets_light_through(const Pigment& pigment);
 

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "render/feature/feature.h"
+#include "render/math/noise.h"
 #include "render/math/transform.h"
 #include "render/math/vec.h"
 
@@ -18,6 +19,9 @@ struct Turbulence {
   double omega = 0.5;
   double lambda = 2.0;
 };
+
+/// The octaves of the noise that it moves points by.
+Octaves octaves_of(const Turbulence& turbulence);
 
 struct RepeatWarp {
   int axis = 0;
@@ -71,8 +75,12 @@ struct Warps {
   FeatureUses unrendered = {};
 
   void transform(const Transform& next);
-  /// The pattern's point for `point` of the space it is placed in.
-  Vec3 to_pattern(const Vec3& point) const;
+  /// The pattern's point for `point` of the space it is placed in. `moves`: by the word turbulence too.
+  Vec3 to_pattern(const Vec3& point, bool moves = true) const;
+  /// A surface normal on the same way, which transformations alone change; its length is left as it comes.
+  Vec3 normal_to_pattern(const Vec3& normal) const;
+  /// And back.
+  Vec3 normal_from_pattern(const Vec3& normal) const;
 };
 
 }  // namespace firstlight::render

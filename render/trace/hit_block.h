@@ -25,6 +25,10 @@ struct LayerColumns {
   Column<double> specular;
   Column<double> specular_exponent;
 
+  /// Bits of the hits that are tilted here. While it is 0, the column of normals holds nothing.
+  std::uint64_t tilted = 0;
+  Columns3<double> normal;  ///< where nothing tilts it, the hit's
+
   /// Whether any of the hits has what follows; the columns hold nothing else.
   bool has_rare = false;
   Column<double> diffuse_back;

@@ -144,7 +144,7 @@ HWY_INLINE V specular(const LayerColumns& layer, std::size_t i, const Lit& lit, 
 
 /// What one layer makes of white light, times the ray's weight.
 HWY_INLINE Vec term_of(const HitBlock& block, const LayerColumns& layer, std::size_t i, const Lit& lit,
-                       const Vec& mirrored) {
+                       const Vec& normal, const Vec& mirrored) {
   const D d;
   const V zero = hn::Zero(d);
   V falloff = hn::Abs(lit.cosine);
@@ -171,7 +171,7 @@ HWY_INLINE Vec term_of(const HitBlock& block, const LayerColumns& layer, std::si
       if (any_shine) highlight = phong(layer, i, lit, mirrored, in_front(shine));
       if (any_gloss) {
         highlight = hn::Add(highlight,
-                            specular(layer, i, lit, load(block.direction, i), load(block.normal, i), in_front(gloss)));
+                            specular(layer, i, lit, load(block.direction, i), normal, in_front(gloss)));
       }
       term = term + only_where(hn::Ne(highlight, zero), tint_of(layer, i, lit.cosine) * highlight);
     }
@@ -179,10 +179,20 @@ HWY_INLINE Vec term_of(const HitBlock& block, const LayerColumns& layer, std::si
   return load(layer.share, i) * term;
 }
 
-HWY_INLINE Vec mirrored_at(const HitBlock& block, std::size_t i) {
+HWY_INLINE Vec mirrored_at(const HitBlock& block, const Vec& normal, std::size_t i) {
   const Vec direction = load(block.direction, i);
-  const Vec normal = load(block.normal, i);
   return direction - normal * hn::Mul(hn::Set(D(), 2.0), dot(direction, normal));
+}
+
+/// The same by the layer's own normals, where it has some.
+HWY_INLINE Vec layer_term_of(const HitBlock& block, const LayerColumns& layer, std::size_t i, const Lit& lit,
+                             const Vec& normal, const Vec& mirrored) {
+  if (layer.tilted == 0) return term_of(block, layer, i, lit, normal, mirrored);
+  const Vec own = load(layer.normal, i);
+  Lit tilted = lit;
+  tilted.cosine = dot(own, lit.to_light);
+  tilted.behind = hn::Lt(tilted.cosine, load(block.lit_from, i));
+  return term_of(block, layer, i, tilted, own, mirrored_at(block, own, i));
 }
 
 /// The lanes whose bit is set, from bit 0 on.
@@ -228,7 +238,7 @@ struct AtStake {
 void begin_light_of(HitBlock& block) {
   const D d;
   for (std::size_t i = 0; i < block.size; i += hn::Lanes(d)) {
-    store(packed_direction(d, mirrored_at(block, i)), block.mirrored, i);
+    store(packed_direction(d, mirrored_at(block, load(block.normal, i), i)), block.mirrored, i);
     const Vec own = load(block.own_light, i);
     store(Triple<hn::VFromD<I>>{fixed_of(d, own.x), fixed_of(d, own.y), fixed_of(d, own.z)}, block.sum, i);
   }
@@ -241,7 +251,7 @@ void light_hits_of(HitBlock& block, std::span<const Light> lights) {
   for (std::size_t i = 0; i < block.size; i += hn::Lanes(d)) {
     const Vec point = load(block.point, i);
     const Vec normal = load(block.normal, i);
-    const Vec mirrored = mirrored_at(block, i);
+    const Vec mirrored = mirrored_at(block, normal, i);
     Lit lit;
     lit.used = hn::FirstN(d, block.size - i);
     auto sum = load(block.sum, i);
@@ -261,9 +271,9 @@ void light_hits_of(HitBlock& block, std::span<const Light> lights) {
       if (!block.lit_from_behind && hn::AllFalse(d, hn::AndNot(lit.behind, lit.used))) {
         continue;
       }
-      Vec term = term_of(block, block.layers[0], i, lit, mirrored);
+      Vec term = layer_term_of(block, block.layers[0], i, lit, normal, mirrored);
       for (std::size_t k = 1; k < block.layer_count; ++k) {
-        term = term + term_of(block, block.layers[k], i, lit, mirrored);
+        term = term + layer_term_of(block, block.layers[k], i, lit, normal, mirrored);
       }
       const Mask shines =
           hn::Ge(hn::Max(hn::Abs(color.x), hn::Max(hn::Abs(color.y), hn::Abs(color.z))), hn::Set(d, kNegligible));

@@ -19,6 +19,7 @@ void clear_amounts(LayerColumns& layer, std::size_t count) {
   for (Column<double>& column : layer.share.of) std::fill_n(column.at.begin(), count, 0.0);
   for (Column<double>* column : {&layer.diffuse, &layer.specular}) std::fill_n(column->at.begin(), count, 0.0);
   layer.has_rare = false;
+  layer.tilted = 0;
 }
 
 /// What few surfaces have. The first that has it sets what the others have instead.
@@ -35,6 +36,23 @@ void set_rare(LayerColumns& columns, std::size_t hit, std::size_t count, const S
   columns.phong[hit] = layer.phong;
   columns.phong_size[hit] = layer.phong_size;
   columns.metallic[hit] = layer.metallic;
+}
+
+/// Lights behind the hit may shine on what is tilted.
+void set_normal(HitBlock& block, LayerColumns& columns, std::size_t hit, const Vec3& normal) {
+  columns.tilted |= std::uint64_t{1} << hit;
+  columns.normal.set(hit, normal);
+  block.lit_from_behind = true;
+}
+
+/// Where some hits are tilted in a layer, the others have their own normal there.
+void complete_normals(HitBlock& block) {
+  for (LayerColumns& layer : std::span(block.layers).first(block.layer_count)) {
+    if (layer.tilted == 0) continue;
+    for (std::size_t i = 0; i < block.size; ++i) {
+      if ((layer.tilted >> i & 1u) == 0) layer.normal.set(i, block.normal.vector(i));
+    }
+  }
 }
 
 }  // namespace
@@ -62,29 +80,79 @@ void Stepper::meet(const RayTask& task, const Ray& ray, const Hit& hit, Contribu
   surface.sum = &sum;
   surface.depth = hit.depth;
   surface.level = task.level + (continued ? 0 : 1);
-  surface.first_mirror = mirrors_.size();
+  surface.layer_count = 0;
+  surface.own_light = Rgb(0.0f);
   surface.open_record = kNoRecord;
-  meet_layers(surface, i, texture);
+  if (const Coat* coat = table_->even_coat(texture)) {
+    put_on(i, *coat, 1.0, {}, 0);
+  } else {
+    uneven_.push_back({texture, static_cast<std::uint8_t>(i)});
+  }
 }
 
-void Stepper::meet_layers(Surface& surface, std::size_t hit, std::uint32_t texture) {
+// In the order of textures' numbers, and each with its coats in the order of its maps, so that what is added up for a hit
+// does not depend on the other hits of the block.
+void Stepper::meet_uneven() {
+  std::ranges::stable_sort(uneven_, {}, &Uneven::texture);
+  const HitBlock& block = *block_;
+  const auto points = std::make_unique_for_overwrite<SurfacePoints>();
+  points->on_surface = true;
+  for (std::size_t first = 0; first < uneven_.size();) {
+    const std::uint32_t texture = uneven_[first].texture;
+    std::size_t end = first;
+    for (; end < uneven_.size() && uneven_[end].texture == texture; ++end) {
+      const std::size_t k = end - first;
+      const std::size_t hit = uneven_[end].hit;
+      points->at.set(k, block.point.vector(hit));
+      points->normal.set(k, block.normal.vector(hit));
+      points->tilted.set(k, block.normal.vector(hit));
+      points->direction.set(k, block.direction.vector(hit));
+      points->u[k] = 0.0;
+      points->v[k] = 0.0;
+    }
+    points->size = end - first;
+    coats_.clear();
+    table_->unfold(texture, *points, coats_);
+    for (const auto& coat : coats_) {
+      const std::span<const SurfaceLayer> layers = table_->layers(*coat->coat);
+      if (looks_.size() < layers.size()) looks_.resize(layers.size());
+      for (std::size_t k = 0; k < layers.size(); ++k) table_->look(layers[k], *coat, looks_[k]);
+      for (std::size_t k = 0; k < coat->points.size; ++k) {
+        put_on(uneven_[first + coat->lane[k]].hit, *coat->coat, coat->share[k], looks_, k);
+      }
+    }
+    first = end;
+  }
+}
+
+void Stepper::put_on(std::size_t hit, const Coat& coat, double of_texture, std::span<const LayerLook> looks,
+                     std::size_t lane) {
   HitBlock& block = *block_;
+  Surface& surface = surfaces_[hit];
   const double bailout = context_.scene.settings.adc_bailout;
-  const Rgb weight = surface.task->weight();
+  Coating coating;
+  coating.hit = hit;
+  coating.weight = surface.task->weight();
+  if (of_texture != 1.0) coating.weight *= static_cast<float>(of_texture);
+  coating.is_tilted = false;
+  coating.normal = Vec3(0.0);
+  coating.first_mirror = mirrors_.size();
   double share = 1.0;
   Rgb filter(1.0f);
   Rgb own_light(0.0f);
-  std::uint32_t k = 0;
-  for (const SurfaceLayer& layer : table_->layers(texture)) {
-    if (share <= bailout) break;
+  bool found_any = false;
+  const std::span<const SurfaceLayer> layers = table_->layers(coat);
+  for (std::size_t l = 0; l < layers.size() && share > bailout; ++l) {
+    const SurfaceLayer& layer = layers[l];
     LayerColor at_point;
+    bool found = true;
     if (!layer.is_plain) {
-      const Transform& to_texture = context_.scene.textures[texture].to_texture;
-      const Vec3 point = block.point.vector(hit);
-      const Vec3 local = to_texture.is_identity() ? point : to_texture.point(point);
-      at_point = table_->color(layer, color_at(layer.source->pigment, local));
+      at_point = table_->color(layer, looks[l].colors.color(lane));
+      found = (looks[l].colors.missing >> lane & 1u) == 0;
     }
+    found_any |= found;
     const LayerColor& color = layer.is_plain ? layer.color : at_point;
+    const std::size_t k = surface.layer_count++;
     if (k == block.layer_count) {
       if (k == block.layers.size()) block.layers.emplace_back();
       clear_amounts(block.layers[k], block.capacity);
@@ -92,7 +160,7 @@ void Stepper::meet_layers(Surface& surface, std::size_t hit, std::uint32_t textu
     }
     LayerColumns& columns = block.layers[k];
     columns.color.set(hit, color.rgb);
-    columns.share.set(hit, k == 0 ? weight : weight * filter);
+    columns.share.set(hit, l == 0 ? coating.weight : coating.weight * filter);
     columns.diffuse[hit] = layer.diffuse * color.opacity;
     columns.specular[hit] = layer.specular;
     columns.specular_exponent[hit] = layer.specular_exponent;
@@ -100,30 +168,43 @@ void Stepper::meet_layers(Surface& surface, std::size_t hit, std::uint32_t textu
       set_rare(columns, hit, block.capacity, layer, color.opacity);
       block.lit_from_behind |= layer.diffuse_back != 0.0;
     }
-    own_light += k == 0 ? color.own_light : filter * color.own_light;
+    Vec3 normal(0.0);
+    if (layer.normal != nullptr) {
+      normal = looks[l].normals.vector(lane);
+      set_normal(block, columns, hit, normal);
+      if (l == 0) {
+        coating.is_tilted = true;
+        coating.normal = normal;
+      }
+    }
+    own_light += l == 0 ? color.own_light : filter * color.own_light;
 
     Rgb passed = color.passed;
     if (layer.reflects) {
       double adc_weight = surface.task->adc_weight() * share;
-      const Rgb reflection = reflectivity(surface, hit, layer, color.rgb, adc_weight);
-      mirrors_.push_back({&layer, reflection, adc_weight});
+      const double steepness =
+          -block.direction.vector(hit).dot(layer.normal != nullptr ? normal : block.normal.vector(hit));
+      const Rgb reflection = reflectivity(surface, steepness, layer, color.rgb, adc_weight);
+      mirrors_.push_back({&layer, reflection, adc_weight, layer.normal != nullptr, normal});
       if (layer.source->finish->conserve_energy) {
         const Rgb kept = Rgb(1.0f) - reflection;
         passed *= Rgb(std::min(1.0f, kept.x), std::min(1.0f, kept.y), std::min(1.0f, kept.z));
       }
     }
-    filter *= passed;
+    if (found) filter *= passed;
     share = is_black(filter) ? 0.0 : std::min(1.0, static_cast<double>(std::abs(grey(filter))));
-    ++k;
   }
-  surface.filter = filter;
-  surface.share = share;
-  surface.mirror_count = mirrors_.size() - surface.first_mirror;
-  block.own_light.set(hit, weight * own_light);
+  coating.filter = found_any ? filter : Rgb(1.0f);
+  coating.share = share;
+  coating.mirror_count = mirrors_.size() - coating.first_mirror;
+  surface.own_light += coating.weight * own_light;
+  coatings_.push_back(coating);
 }
 
 void Stepper::shade() {
   HitBlock& block = *block_;
+  complete_normals(block);
+  for (std::size_t i = 0; i < block.size; ++i) block.own_light.set(i, surfaces_[i].own_light);
   begin_light(block);
   if (block.layer_count > 0) {
     const std::span<const Light> lights = context_.scene.lights;
@@ -140,11 +221,11 @@ void Stepper::shade() {
   counts_.blocked += block.blocked_feelers;
   const Settings& settings = context_.scene.settings;
   for (std::size_t i = 0; i < block.size; ++i) {
-    const Surface& surface = surfaces_[i];
-    surface.sum->light += {block.sum.of[0][i], block.sum.of[1][i], block.sum.of[2][i]};
-    if (surface.level >= settings.max_trace_level) continue;
-    if (surface.share > settings.adc_bailout && spawn_transmission(i)) continue;
-    spawn_reflections(i);
+    surfaces_[i].sum->light += {block.sum.of[0][i], block.sum.of[1][i], block.sum.of[2][i]};
+  }
+  for (const Coating& coating : coatings_) {
+    if (surfaces_[coating.hit].level >= settings.max_trace_level) continue;
+    spawn_reflections(coating, coating.share > settings.adc_bailout && spawn_transmission(coating));
   }
 }
 
@@ -216,14 +297,14 @@ void Stepper::end_ray(const Surface& surface) {
   }
 }
 
-Rgb Stepper::reflectivity(const Surface& surface, std::size_t hit, const SurfaceLayer& layer, const Rgb& color,
+Rgb Stepper::reflectivity(const Surface& surface, double steepness, const SurfaceLayer& layer, const Rgb& color,
                           double& adc_weight) const {
   if (layer.is_even_mirror) {
     adc_weight *= layer.strongest;
     return layer.reflection;
   }
   const Finish& finish = *layer.source->finish;
-  const double cosine = steepness(hit);
+  const double cosine = steepness;
   Rgb reflected;
   if (finish.reflection_fresnel) {
     // Unpolarised light: 1/2 ((g-c)/(g+c))^2 (1 + ((c(g+c)-1)/(c(g-c)+1))^2), g^2 = n^2 + c^2 - 1.
@@ -265,14 +346,33 @@ double Stepper::relative_ior(const Surface& surface) const {
   return (media.depth(medium) == 1 ? scene.settings.atmosphere_ior : around) / ior;
 }
 
-void Stepper::spawn_reflections(std::size_t hit) {
-  const Surface& surface = surfaces_[hit];
-  for (const Mirror& mirror : std::span(mirrors_).subspan(surface.first_mirror, surface.mirror_count)) {
+// A ray that a tilted normal would send below the surface is turned up again. [POV-Ray 3.7]
+Vec3 Stepper::reflected_by(std::size_t hit, const Vec3& normal) const {
+  const Vec3 direction = block_->direction.vector(hit);
+  const Vec3 bare = block_->normal.vector(hit);
+  Vec3 reflected = direction - normal * (2.0 * direction.dot(normal));
+  const double above = reflected.dot(bare);
+  if (above < 0.0) {
+    reflected = reflected.dot(normal) < 0.0 ? direction - bare * (2.0 * direction.dot(bare))
+                                            : reflected - bare * (2.0 * above);
+  }
+  return reflected.normalized();
+}
+
+void Stepper::spawn_reflections(const Coating& coating, bool totally) {
+  const Surface& surface = surfaces_[coating.hit];
+  for (const Mirror& mirror : std::span(mirrors_).subspan(coating.first_mirror, coating.mirror_count)) {
     if (is_black(mirror.reflection)) continue;
+    if (totally) {
+      const Vec3 bare = block_->normal.vector(coating.hit);
+      const Vec3 gap = (coating.is_tilted ? coating.normal : bare) - (mirror.is_tilted ? mirror.normal : bare);
+      if (std::max({std::abs(gap.x), std::abs(gap.y), std::abs(gap.z)}) <= kNegligible) continue;
+    }
     RayTask& child = spawned_.emplace_back();
-    begin_child(child, hit, RayKind::reflection);
-    child.set_direction(std::bit_cast<PackedDirection>(block_->mirrored[hit]));
-    child.set_weight(surface.task->weight() * mirror.reflection, static_cast<float>(mirror.adc_weight));
+    begin_child(child, coating.hit, RayKind::reflection);
+    child.set_direction(mirror.is_tilted ? PackedDirection(reflected_by(coating.hit, mirror.normal))
+                                         : std::bit_cast<PackedDirection>(block_->mirrored[coating.hit]));
+    child.set_weight(coating.weight * mirror.reflection, static_cast<float>(mirror.adc_weight));
     child.flags |= RayTask::kReflected;
     const double exponent = mirror.layer->source->finish->reflection_exponent;
     if (exponent == 1.0) {
@@ -285,7 +385,8 @@ void Stepper::spawn_reflections(std::size_t hit) {
   }
 }
 
-bool Stepper::spawn_transmission(std::size_t hit) {
+bool Stepper::spawn_transmission(const Coating& coating) {
+  const std::size_t hit = coating.hit;
   const Surface& surface = surfaces_[hit];
   const Scene& scene = context_.scene;
   MediumTable& media = context_.media;
@@ -323,22 +424,25 @@ bool Stepper::spawn_transmission(std::size_t hit) {
     child.set_direction(PackedDirection(direction));
     child.flags |= RayTask::kContinued;
   } else {
-    // Heckbert's form of Snell's law: T = ior I + (ior c - sqrt(1 + ior^2 (c^2 - 1))) N.
-    const Vec3 normal = block_->normal.vector(hit);
-    const double cosine = steepness(hit);
+    // Heckbert's form of Snell's law: T = ior I + (ior c - sqrt(1 + ior^2 (c^2 - 1))) N, N towards the ray's origin.
+    const Vec3 normal = coating.is_tilted ? coating.normal : block_->normal.vector(hit);
+    const double along = -direction.dot(normal);
+    const Vec3 facing = along >= 0.0 ? normal : -normal;
+    const double cosine = std::abs(along);
     const double root = 1.0 + ior * ior * (cosine * cosine - 1.0);
     totally_reflected = root < 0.0;
     if (totally_reflected) {
       child.kind = RayKind::reflection;
       child.flags |= RayTask::kReflected;
       child.medium = around;
-      child.set_direction(PackedDirection(direction + normal * (2.0 * cosine)));
+      child.set_direction(PackedDirection(coating.is_tilted ? reflected_by(hit, normal)
+                                                            : direction + normal * (2.0 * cosine)));
     } else {
-      child.set_direction(PackedDirection(direction * ior + normal * (ior * cosine - std::sqrt(root))));
+      child.set_direction(PackedDirection(direction * ior + facing * (ior * cosine - std::sqrt(root))));
     }
   }
-  child.set_weight(surface.task->weight() * passed * (totally_reflected ? Rgb(1.0f) : surface.filter),
-                   surface.task->adc_weight() * max_magnitude(surface.filter));
+  child.set_weight(coating.weight * passed * (totally_reflected ? Rgb(1.0f) : coating.filter),
+                   surface.task->adc_weight() * max_magnitude(coating.filter));
   end_ray(surface);
   return totally_reflected;
 }

@@ -50,7 +50,8 @@ Stepper::Stepper(const TraceContext& context, std::shared_ptr<const SurfaceTable
                                            [](const Part& part) { return !part.opaque; })),
       rays_(std::make_unique<RayBlock>()),
       block_(std::make_unique<HitBlock>()),
-      feelers_(std::make_unique<FeelerBlock>()) {
+      feelers_(std::make_unique<FeelerBlock>()),
+      asked_(std::make_unique<SurfacePoints>()) {
   for (const Light& light : context.scene.lights) {
     light_places_.push_back({light.position.x, light.position.y, light.position.z, 0.0});
   }
@@ -114,6 +115,8 @@ void Stepper::step_radiance(std::span<const RayTask> tasks, std::span<const Ray>
     __builtin_prefetch(&context_.scene.parts[hits_[i].part]);
   }
   mirrors_.clear();
+  coatings_.clear();
+  uneven_.clear();
   block_->begin(tasks.size());
   // Matt surfaces first, so that highlights are worked out for few that have none.
   std::size_t matt = 0;
@@ -138,6 +141,7 @@ void Stepper::step_radiance(std::span<const RayTask> tasks, std::span<const Ray>
   };
   meet_all(0, matt);
   meet_all(glossy, tasks.size());
+  if (!uneven_.empty()) meet_uneven();
   if (block_->size > 0) shade();
 }
 
@@ -204,9 +208,10 @@ Rgb Stepper::passing_light(std::uint32_t medium, Ray ray, double distance) const
       if (normal.dot(ray.direction) > 0.0) texture = part.interior_texture;
     }
     if (texture != kNoIndex) {
-      const PlacedTexture& placed = scene.textures[texture];
-      const Vec3 local = placed.to_texture.point(point);
-      for (const TextureLayer& layer : placed.texture->layers) passed *= color_at(layer.pigment, local).passed();
+      asked_->size = 1;
+      asked_->at.set(0, point);
+      asked_->direction.set(0, ray.direction);
+      table_->filter(texture, *asked_, {&passed, 1});
       const Interior& interior = scene.interiors[part.interior];
       if (interior.fade_power > 0.0 && std::abs(interior.fade_distance) > kNegligible &&
           media.contains(medium, part.interior)) {

@@ -3,11 +3,11 @@
 #include "render/accel/accel.h"
 #include "render/math/fixed_rgb.h"
 #include "render/scene/scene.h"
+#include "render/surface/surface_table.h"
 #include "render/trace/hit_block.h"
 #include "render/trace/medium_table.h"
 #include "render/trace/radiance_bound.h"
 #include "render/trace/ray_task.h"
-#include "render/trace/surface_table.h"
 
 #include <array>
 #include <cstdint>
@@ -70,6 +70,8 @@ class Stepper {
     const SurfaceLayer* layer;
     Rgb reflection;
     double adc_weight;
+    bool is_tilted;
+    Vec3 normal;  ///< of tilted ones
   };
   /// A hit, as far as rays that it sends on need it; the HitBlock has the rest, under the same number.
   struct Surface {
@@ -77,12 +79,26 @@ class Stepper {
     const Part* part;
     Contribution* sum;  ///< of the task
     double depth;
-    int level;     ///< of everything spawned here
-    Rgb filter;    ///< what all layers let through
-    double share;  ///< the same as one number; 0 where nothing passes
+    int level;                ///< of everything spawned here
+    std::size_t layer_count;  ///< in the HitBlock's columns
+    Rgb own_light;
+    std::size_t open_record;  ///< of feelers, that may take more; kNoRecord: none
+  };
+  /// One coat of a hit: what its layers do together to rays that go on.
+  struct Coating {
+    std::size_t hit;
+    Rgb weight;      ///< of the ray, times the coat's share of the texture
+    Rgb filter;      ///< what all layers let through
+    double share;    ///< the same as one number; 0 where nothing passes
+    bool is_tilted;  ///< the topmost layer is
+    Vec3 normal;     ///< of the topmost layer
     std::size_t first_mirror;
     std::size_t mirror_count;
-    std::size_t open_record;  ///< of feelers, that may take more; kNoRecord: none
+  };
+  /// A hit whose texture has to be asked at its point.
+  struct Uneven {
+    std::uint32_t texture;
+    std::uint8_t hit;
   };
   static constexpr std::size_t kNoRecord = ~std::size_t{0};
 
@@ -100,19 +116,24 @@ class Stepper {
 
   /// Adds the hit to block_ and surfaces_, unless it takes the light and gives none.
   void meet(const RayTask& task, const Ray& ray, const Hit& hit, Contribution& sum);
-  void meet_layers(Surface& surface, std::size_t hit, std::uint32_t texture);
+  /// Asks textures that differ from point to point, each for all of its hits.
+  void meet_uneven();
+  /// Lays a coat on a hit. `looks`: of its layers, at point `lane`; null: it is even.
+  void put_on(std::size_t hit, const Coat& coat, double share, std::span<const LayerLook> looks, std::size_t lane);
   /// Lights all that was met, and lets it send on its rays.
   void shade();
   void spawn_feelers(std::uint32_t first_light, std::size_t light_count);
   void add_feeler(std::size_t hit, std::uint32_t light, PackedRgb at_stake);
   /// Returns true where the ray cannot leave and is reflected instead (total internal reflection).
-  bool spawn_transmission(std::size_t hit);
-  void spawn_reflections(std::size_t hit);
-  Rgb reflectivity(const Surface& surface, std::size_t hit, const SurfaceLayer& layer, const Rgb& color,
+  bool spawn_transmission(const Coating& coating);
+  /// `totally`: the coat reflects all by its topmost normal, so that mirrors of this normal have no part.
+  void spawn_reflections(const Coating& coating, bool totally);
+  /// Where a ray goes that a tilted normal reflects.
+  Vec3 reflected_by(std::size_t hit, const Vec3& normal) const;
+  /// `steepness`: minus the cosine of the ray to the layer's normal.
+  Rgb reflectivity(const Surface& surface, double steepness, const SurfaceLayer& layer, const Rgb& color,
                    double& adc_weight) const;
   double relative_ior(const Surface& surface) const;
-  /// Minus the cosine of the ray to the normal.
-  double steepness(std::size_t hit) const { return -block_->direction.vector(hit).dot(block_->normal.vector(hit)); }
 
   /// What all that leaves a hit has in common.
   void begin_child(RayTask& child, std::size_t hit, RayKind kind) const;
@@ -134,8 +155,13 @@ class Stepper {
   std::array<Hit, kRaysAtOnce> hits_;
   std::array<Surface, kRaysAtOnce> surfaces_;  ///< block_->size of them
   std::vector<Mirror> mirrors_;
+  std::vector<Coating> coatings_;
+  std::vector<Uneven> uneven_;
+  std::vector<std::unique_ptr<CoatPoints>> coats_;
+  std::vector<LayerLook> looks_;
   std::unique_ptr<HitBlock> block_;
   std::unique_ptr<FeelerBlock> feelers_;
+  std::unique_ptr<SurfacePoints> asked_;  ///< on feelers' way
   std::vector<Contribution> light_;
   std::vector<RayTask> spawned_;
   std::unique_ptr<Stepper> sealed_;  ///< made when first needed

@@ -59,7 +59,7 @@ struct PigmentLimits {
   Channels body{};              ///< most of colour times opacity: what its own and its diffuse light are multiplied by
 
   PigmentLimits(const Pigment& pigment, int language_version) : old_opacity_(language_version < 370) {
-    if (!pigment.pattern->field) {
+    if (!is_patterned(pigment.pattern->kind)) {
       include(pigment.color, pigment.color, 0.0);
     } else {
       const ColorMap& map = map_of(pigment);

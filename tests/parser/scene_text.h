@@ -3,6 +3,7 @@
 #include "parser/parser.h"
 #include "render/scene/front_end.h"
 #include "render/texture/pigment.h"
+#include "render/surface/compiled_pigment.h"
 
 #include <gtest/gtest.h>
 #include <unistd.h>
@@ -80,7 +81,8 @@ inline const render::Finish& finish_of(const render::Scene& scene, std::size_t p
 inline render::FilteredColor color_of(const render::Scene& scene, const render::Vec3& point, std::size_t part = 0,
                                       std::size_t layer = 0) {
   const render::PlacedTexture& placed = scene.textures.at(scene.parts.at(part).texture);
-  return render::color_at(placed.texture->layers[layer].pigment, placed.to_texture.point(point));
+  return render::CompiledPigment(placed.texture->layers[layer].pigment, render::PatternWorld())
+      .color_at(placed.to_texture.point(point));
 }
 
 inline bool inside(const render::Scene& scene, const render::Vec3& point, std::size_t solid = 0) {

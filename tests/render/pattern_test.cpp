@@ -2,6 +2,7 @@
 #include "render/texture/patterns.h"
 
 #include "render/texture/patterning.h"
+#include "tests/render/pattern_test_support.h"
 
 #include <gtest/gtest.h>
 
@@ -17,11 +18,12 @@ constexpr std::array<std::array<double, 3>, 4> kPoints = {
     {{0.3, 0.4, -0.2}, {-0.7, 0.15, 0.6}, {1.4, -2.3, 0.9}, {-3.6, 5.2, -7.1}}};
 
 void expect_values(PatternKind kind, const PatternParameters& parameters, const Values& expected) {
-  Patterning pattern = patterned(kind, parameters);
-  pattern.wave.frequency = 0.0;
-  ASSERT_TRUE(pattern.field) << spelling(kind);
+  const AskedPattern pattern(kind, parameters);
+  Wave wave;
+  wave.frequency = 0.0;
+  ASSERT_TRUE(pattern.is_made()) << spelling(kind);
   for (std::size_t i = 0; i < kPoints.size(); ++i) {
-    const double value = shaped(pattern.wave, value_at(pattern, {kPoints[i][0], kPoints[i][1], kPoints[i][2]}));
+    const double value = shaped(wave, pattern.value({kPoints[i][0], kPoints[i][1], kPoints[i][2]}));
     EXPECT_NEAR(value, expected[i], 1e-9 * std::max(1.0, std::abs(expected[i]))) << spelling(kind) << " at point " << i;
   }
 }
@@ -106,32 +108,6 @@ TEST(PatternValues, OfMagnets) {
   set = julia({1.5, 0.4}, 10, 0);
   set.magnet = 2;
   expect_values(PatternKind::magnet, set, {1.0, 0.4, 0.7, 1.0});
-}
-
-TEST(PatternKinds, AreRenderedExactlyWhenTheyHaveAnEvaluator) {
-  const auto parameters_of = [](PatternKind kind) -> PatternParameters {
-    switch (kind) {
-      case PatternKind::brick:
-        return BrickParameters();
-      case PatternKind::gradient:
-        return GradientParameters();
-      case PatternKind::julia:
-      case PatternKind::magnet:
-      case PatternKind::mandel:
-        return FractalParameters();
-      case PatternKind::quilted:
-        return QuiltedParameters();
-      case PatternKind::spiral1:
-      case PatternKind::spiral2:
-        return SpiralParameters();
-      default:
-        return {};
-    }
-  };
-  for (int i = static_cast<int>(PatternKind::plain) + 1; i <= static_cast<int>(PatternKind::wrinkles); ++i) {
-    const auto kind = static_cast<PatternKind>(i);
-    EXPECT_EQ(is_rendered(feature_of(kind)), make_pattern(kind, parameters_of(kind)) != nullptr) << spelling(kind);
-  }
 }
 
 }  // namespace

@@ -2,6 +2,7 @@
 
 #include "render/texture/patterns.h"
 #include "render/texture/texture.h"
+#include "tests/render/pattern_test_support.h"
 
 #include <gtest/gtest.h>
 
@@ -28,31 +29,33 @@ Pigment ramp(Wave wave) {
 
 double level_at(const Pigment& pigment, double x) { return color_at(pigment, {x, 0.0, 0.0}).rgb.x; }
 
+AskedPattern gradient_of(const Vec3& axis) { return AskedPattern(PatternKind::gradient, GradientParameters{axis}); }
+
 TEST(Pattern, GradientCountsAlongItsAxisWhateverTheLengthOfTheAxis) {
-  EXPECT_DOUBLE_EQ(make_gradient({2.0, 0.0, 0.0})->value({0.25, 7.0, 9.0}), 0.25);
-  EXPECT_DOUBLE_EQ(make_gradient({3.0, 0.0, 4.0})->value({0.5, 0.0, 0.5}), 0.7);
+  EXPECT_DOUBLE_EQ(gradient_of({2.0, 0.0, 0.0}).value({0.25, 7.0, 9.0}), 0.25);
+  EXPECT_DOUBLE_EQ(gradient_of({3.0, 0.0, 4.0}).value({0.5, 0.0, 0.5}), 0.7);
 }
 
 TEST(Pattern, GradientFoldsBackOnlyValuesAboveOne) {
-  const auto gradient = make_gradient({0.0, 1.0, 0.0});
-  EXPECT_EQ(gradient->value({0.0, 1.0, 0.0}), 1.0);
-  EXPECT_NEAR(gradient->value({0.0, 2.25, 0.0}), 0.25, 1e-12);
-  EXPECT_EQ(gradient->value({0.0, -0.25, 0.0}), -0.25);
+  const AskedPattern gradient = gradient_of({0.0, 1.0, 0.0});
+  EXPECT_EQ(gradient.value({0.0, 1.0, 0.0}), 1.0);
+  EXPECT_NEAR(gradient.value({0.0, 2.25, 0.0}), 0.25, 1e-12);
+  EXPECT_EQ(gradient.value({0.0, -0.25, 0.0}), -0.25);
 }
 
 TEST(Pattern, CheckerAlternatesFromCubeToCube) {
-  const auto checker = make_checker();
-  EXPECT_EQ(checker->value({0.5, 0.5, 0.5}), 0.0);
-  EXPECT_EQ(checker->value({1.5, 0.5, 0.5}), 1.0);
-  EXPECT_EQ(checker->value({1.5, 1.5, 0.5}), 0.0);
-  EXPECT_EQ(checker->value({-0.5, 0.5, 0.5}), 1.0);
-  EXPECT_EQ(checker->value({-0.5, -0.5, -0.5}), 1.0);
+  const AskedPattern checker(PatternKind::checker);
+  EXPECT_EQ(checker.value({0.5, 0.5, 0.5}), 0.0);
+  EXPECT_EQ(checker.value({1.5, 0.5, 0.5}), 1.0);
+  EXPECT_EQ(checker.value({1.5, 1.5, 0.5}), 0.0);
+  EXPECT_EQ(checker.value({-0.5, 0.5, 0.5}), 1.0);
+  EXPECT_EQ(checker.value({-0.5, -0.5, -0.5}), 1.0);
 }
 
 TEST(Pattern, CheckerTakesPointsJustBelowABorderToTheCubeAbove) {
-  const auto checker = make_checker();
-  EXPECT_EQ(checker->value({0.5, -1e-11, 0.5}), checker->value({0.5, 0.0, 0.5}));
-  EXPECT_NE(checker->value({0.5, -1e-9, 0.5}), checker->value({0.5, 0.0, 0.5}));
+  const AskedPattern checker(PatternKind::checker);
+  EXPECT_EQ(checker.value({0.5, -1e-11, 0.5}), checker.value({0.5, 0.0, 0.5}));
+  EXPECT_NE(checker.value({0.5, -1e-9, 0.5}), checker.value({0.5, 0.0, 0.5}));
 }
 
 TEST(Pigment, SolidColorIsTheSameEverywhere) {

@@ -1,0 +1,250 @@
+#include "render/surface/surface_table.h"
+
+#include <algorithm>
+#include <bit>
+#include <utility>
+
+namespace firstlight::render {
+namespace {
+
+double positive(double amount) { return amount > 0.0 ? amount : 0.0; }
+
+/// Whether the layer needs its pigment compiled.
+bool is_patterned(const TextureLayer& layer) { return is_patterned(layer.pigment.pattern->kind); }
+
+}  // namespace
+
+SurfaceTable::SurfaceTable(const Scene& scene)
+    : scene_(&scene),
+      world_{scene.settings.noise_generator, scene.settings.number_of_waves},
+      old_opacity_(scene.settings.language_version < 370),
+      ambient_light_(scene.settings.ambient_light) {
+  layers_.reserve(scene.textures.size());
+  roots_.reserve(scene.textures.size());
+  for (const PlacedTexture& placed : scene.textures) {
+    const std::uint32_t node = compile(*placed.texture);
+    const Coat* coat = nodes_[node].coat;
+    roots_.push_back(node);
+    even_.push_back(coat != nullptr && coat->is_even ? coat : nullptr);
+    glossy_.push_back(static_cast<std::uint8_t>(has_gloss(node)));
+  }
+}
+
+bool SurfaceTable::has_gloss(std::uint32_t node) const {
+  if (nodes_[node].coat != nullptr) return nodes_[node].coat->is_glossy;
+  return std::ranges::any_of(nodes_[node].entries, [&](const auto& entry) { return has_gloss(entry.second); });
+}
+
+std::uint32_t SurfaceTable::compile(const Texture& texture) {
+  const auto [found, is_new] = node_of_.try_emplace(&texture, 0);
+  if (!is_new) return found->second;
+  Node node;
+  if (!texture.layers.empty() && texture.layers.front().extras->patterned) {
+    const TexturePattern& patterned = *texture.layers.front().extras->patterned;
+    node.pattern.emplace(patterned.pattern, world_);
+    node.keeps_length = patterned.pattern.keeps_bump_size;
+    for (const MapEntry<TexturePtr>& entry : patterned.textures->entries) {
+      node.entries.emplace_back(entry.position, compile(*entry.value));
+    }
+  } else {
+    Coat& coat = coats_.emplace_back();
+    coat.first = layers_.size();
+    coat.count = texture.layers.size();
+    for (const TextureLayer& layer : texture.layers) {
+      const SurfaceLayer& surface = layers_.emplace_back(prepared(layer));
+      coat.is_even = coat.is_even && surface.is_plain && surface.normal == nullptr;
+      coat.is_glossy = coat.is_glossy || surface.specular > 0.0 || surface.phong > 0.0;
+    }
+    node.coat = &coat;
+  }
+  nodes_.push_back(std::move(node));
+  return node_of_[&texture] = static_cast<std::uint32_t>(nodes_.size() - 1);
+}
+
+SurfaceLayer SurfaceTable::prepared(const TextureLayer& layer) {
+  const Finish& finish = *layer.finish;
+  SurfaceLayer surface;
+  surface.source = &layer;
+  surface.own_light = finish.ambient * ambient_light_ + finish.emission;
+  surface.diffuse = positive(finish.diffuse);
+  surface.diffuse_back = positive(finish.diffuse_back);
+  surface.brilliance = finish.brilliance;
+  surface.phong = finish.phong;
+  surface.phong_size = finish.phong_size;
+  surface.specular = finish.specular;
+  surface.specular_exponent = finish.roughness_exponent;
+  surface.metallic = finish.metallic;
+  surface.has_rare = surface.diffuse_back != 0.0 || surface.brilliance != 1.0 || surface.phong != 0.0 ||
+                     (surface.metallic > 0.0 && surface.specular != 0.0);
+
+  surface.reflects = !is_black(finish.reflection_max) || !is_black(finish.reflection_min);
+  surface.strongest = std::max(max_component(finish.reflection_max), max_component(finish.reflection_min));
+  surface.is_even_mirror = !surface.reflects || (finish.reflection_max == finish.reflection_min &&
+                                                 !finish.reflection_fresnel && finish.reflection_metallic == 0.0);
+  if (surface.is_even_mirror) surface.reflection = finish.reflection_max;
+
+  surface.is_plain = !is_patterned(layer);
+  if (surface.is_plain) {
+    surface.color = color(surface, layer.pigment.color);
+  } else {
+    surface.pigment = &pigments_.emplace_back(layer.pigment, world_);
+  }
+  if (layer.extras->normal) {
+    surface.normal = &normals_.emplace_back(*layer.extras->normal, world_, layer.extras->keeps_bump_size);
+  }
+  return surface;
+}
+
+LayerColor SurfaceTable::color(const SurfaceLayer& layer, const FilteredColor& pigment) const {
+  LayerColor color;
+  color.rgb = pigment.rgb;
+  color.passed = pigment.passed();
+  // Before 3.7 a tinted layer kept more of its own light. [POV-Ray 3.7: language version below 370]
+  color.opacity = old_opacity_ ? 1.0 - (pigment.filter * max_component(pigment.rgb) + pigment.transmit)
+                               : 1.0 - pigment.filter - pigment.transmit;
+  color.own_light = pigment.rgb * layer.own_light * static_cast<float>(color.opacity);
+  return color;
+}
+
+void SurfaceTable::unfold(std::uint32_t texture, const SurfacePoints& points,
+                          std::vector<std::unique_ptr<CoatPoints>>& coats) const {
+  const Transform& to_texture = scene_->textures[texture].to_texture;
+  const auto local = std::make_unique_for_overwrite<SurfacePoints>();
+  Columns3<double> at;
+  for (std::size_t i = 0; i < points.size; ++i) {
+    const Vec3 point = points.at.vector(i);
+    at.set(i, to_texture.is_identity() ? point : to_texture.point(point));
+  }
+  pick(points, at, points.all(), *local);
+  std::array<std::uint8_t, kRaysAtOnce> lanes;
+  Column<double> shares;
+  for (std::size_t i = 0; i < points.size; ++i) {
+    lanes[i] = static_cast<std::uint8_t>(i);
+    shares[i] = 1.0;
+  }
+  Way way;
+  if (!to_texture.is_identity()) way.placement = &to_texture;
+  unfold_node(nodes_[roots_[texture]], way, *local, lanes, shares, coats);
+}
+
+void SurfaceTable::unfold_node(const Node& node, const Way& way, const SurfacePoints& points,
+                               const std::array<std::uint8_t, kRaysAtOnce>& lanes, const Column<double>& shares,
+                               std::vector<std::unique_ptr<CoatPoints>>& coats) const {
+  if (node.coat != nullptr) {
+    CoatPoints& coat = *coats.emplace_back(std::make_unique_for_overwrite<CoatPoints>());
+    coat.coat = node.coat;
+    coat.spaces = way.spaces;
+    coat.placement = way.placement;
+    pick(points, points.at, points.all(), coat.points);
+    coat.lane = lanes;
+    coat.share = shares;
+    return;
+  }
+  const CompiledPattern& pattern = *node.pattern;
+  const PatternKind kind = pattern.source().kind;
+  Way inner = way;
+  inner.spaces.push_back({way.placement, &pattern.source().warps, node.keeps_length});
+  inner.placement = nullptr;
+  if (kind == PatternKind::uv_mapping) {
+    const auto own = std::make_unique_for_overwrite<SurfacePoints>();
+    to_own_coordinates(points, *own);
+    return unfold_node(nodes_[node.entries.front().second], inner, *own, lanes, shares, coats);
+  }
+  Columns3<double> there;
+  pattern.to_pattern(points, there);
+  const auto picked = std::make_unique_for_overwrite<SurfacePoints>();
+  std::array<std::uint8_t, kRaysAtOnce> picked_lanes;
+  Column<double> picked_shares;
+  if (kind == PatternKind::average) {
+    float total = 0.0f;
+    for (const auto& entry : node.entries) total += static_cast<float>(entry.first);
+    pick(points, there, points.all(), *picked);
+    for (const auto& [weight, entry] : node.entries) {
+      for (std::size_t i = 0; i < points.size; ++i) {
+        picked_shares[i] = shares[i] * static_cast<double>(static_cast<float>(weight) / total);
+      }
+      unfold_node(nodes_[entry], inner, *picked, lanes, picked_shares, coats);
+    }
+    return;
+  }
+  Column<double> values;
+  pattern.places(there, points, values);
+  const auto entries = static_cast<std::uint32_t>(node.entries.size());
+  std::array<MapPlace, kRaysAtOnce> places;
+  for (std::size_t i = 0; i < points.size; ++i) {
+    places[i] =
+        place_in_map(values[i], entries, [&](std::uint32_t k) { return stored_position(node.entries[k].first); });
+  }
+  for_each_entry(entries, points.size, places, [&](std::uint32_t entry, std::uint64_t bits) {
+    pick(points, there, bits, *picked);
+    for (std::size_t k = 0; bits != 0; bits &= bits - 1, ++k) {
+      const auto i = static_cast<std::size_t>(std::countr_zero(bits));
+      const MapPlace& place = places[i];
+      picked_lanes[k] = lanes[i];
+      picked_shares[k] = place.below == place.above ? shares[i]
+                         : place.above == entry     ? shares[i] * place.fraction
+                                                    : shares[i] * (1.0 - place.fraction);
+    }
+    unfold_node(nodes_[node.entries[entry].second], inner, *picked, picked_lanes, picked_shares, coats);
+  });
+}
+
+void SurfaceTable::look(const SurfaceLayer& layer, CoatPoints& coat, LayerLook& look) const {
+  SurfacePoints& points = coat.points;
+  if (layer.normal != nullptr) {
+    for (std::size_t i = 0; i < points.size; ++i) {
+      Vec3 normal = points.normal.vector(i);
+      for (const NormalSpace& space : coat.spaces) normal = space.into(normal);
+      look.normals.set(i, normal);
+    }
+    layer.normal->tilt(points, coat.placement, look.normals);
+    for (std::size_t i = 0; i < points.size; ++i) {
+      Vec3 normal = look.normals.vector(i);
+      if (layer.normal->keeps_length()) normal.normalize();
+      for (auto space = coat.spaces.rbegin(); space != coat.spaces.rend(); ++space) normal = space->out_of(normal);
+      look.normals.set(i, normal);
+      points.tilted.set(i, normal);
+    }
+  }
+  if (layer.pigment != nullptr) layer.pigment->colors(points, look.colors);
+}
+
+/// Multiplies light[k] by what passes the coat at its point k.
+void SurfaceTable::filter_by(const CoatPoints& coat, std::span<Rgb> light) const {
+  const auto found = std::make_unique_for_overwrite<ColorColumns>();
+  for (const SurfaceLayer& layer : layers(*coat.coat)) {
+    if (layer.pigment != nullptr) layer.pigment->colors(coat.points, *found);
+    for (std::size_t k = 0; k < coat.points.size; ++k) {
+      if (layer.pigment == nullptr) {
+        light[k] *= layer.color.passed;
+      } else if ((found->missing >> k & 1u) == 0) {
+        light[k] *= found->color(k).passed();
+      }
+    }
+  }
+}
+
+void SurfaceTable::filter(std::uint32_t texture, const SurfacePoints& points, std::span<Rgb> light) const {
+  if (const Coat* coat = even_coat(texture)) {
+    for (const SurfaceLayer& layer : layers(*coat)) {
+      for (std::size_t i = 0; i < points.size; ++i) light[i] *= layer.color.passed;
+    }
+    return;
+  }
+  std::vector<std::unique_ptr<CoatPoints>> coats;
+  unfold(texture, points, coats);
+  if (nodes_[roots_[texture]].coat != nullptr) return filter_by(*coats.front(), light);
+  std::array<Rgb, kRaysAtOnce> sums;
+  sums.fill(Rgb(0.0f));
+  for (const auto& coat : coats) {
+    std::array<Rgb, kRaysAtOnce> tints;
+    tints.fill(Rgb(1.0f));
+    filter_by(*coat, tints);
+    for (std::size_t k = 0; k < coat->points.size; ++k) {
+      sums[coat->lane[k]] += tints[k] * static_cast<float>(coat->share[k]);
+    }
+  }
+  for (std::size_t i = 0; i < points.size; ++i) light[i] *= sums[i];
+}
+
+}  // namespace firstlight::render

@@ -1,0 +1,10 @@
+// agate: bands disturbed by turbulence of their own.
+#version 3.7;
+global_settings { assumed_gamma 1 }
+background { rgb <0.3, 0.45, 0.7> }
+camera { location <0, 2, -6> look_at <0, 0.3, 0> right x*4/3 angle 45 }
+light_source { <-4, 6, -5>, rgb 1 }
+plane { y, -1 pigment { agate agate_turb 0.7 color_map { [0 rgb <0.2, 0.3, 0.6>][0.5 rgb <0.9, 0.8, 0.5>][1 rgb <0.6, 0.1, 0.1>] } } }
+sphere { <-1.4, 0, 0>, 0.9 pigment { agate agate_turb 0.7 scale 0.4 } }
+sphere { <0.4, 0, 0.4>, 0.8 pigment { agate agate_turb 0.7 noise_generator 1 color_map { [0.2 rgb 0][0.8 rgb 1] } scale <0.3, 0.6, 0.3> rotate 30 } }
+box { <1.3, -1, -0.6>, <2.2, 0.6, 0.6> pigment { agate agate_turb 0.7 noise_generator 3 triangle_wave frequency 2 phase 0.3 scale 0.5 } }
