@@ -46,14 +46,14 @@ TEST(ParsePattern, PatternsWithoutParametersAreKnownByTheirWord) {
 }
 
 TEST(ParsePattern, WhatIsNotRenderedIsToldAtItsPlaceWhenUsed) {
-  EXPECT_EQ(unrendered("sphere { 0, 1 pigment { bozo } }"), "bozo ");
-  EXPECT_EQ(unrendered("#declare P = pigment { bozo } sphere { 0, 1 pigment { gradient x } }"), "");
-  EXPECT_EQ(unrendered("#declare P = pigment { bozo } sphere { 0, 1 pigment { P rgb 1 } }"), "");
-  EXPECT_EQ(unrendered("sphere { 0, 1 pigment { gradient x turbulence 0.5 } }"), "turbulence ");
-  EXPECT_EQ(unrendered("sphere { 0, 1 pigment { gradient x turbulence 0 octaves 3 } }"), "");
+  EXPECT_EQ(unrendered("sphere { 0, 1 pigment { crackle } }"), "crackle ");
+  EXPECT_EQ(unrendered("#declare P = pigment { crackle } sphere { 0, 1 pigment { gradient x } }"), "");
+  EXPECT_EQ(unrendered("#declare P = pigment { crackle } sphere { 0, 1 pigment { P rgb 1 } }"), "");
+  EXPECT_EQ(unrendered("sphere { 0, 1 pigment { gradient x turbulence 0.5 } }"), "");
+  EXPECT_EQ(unrendered("sphere { 0, 1 pigment { gradient x warp { repeat x } } }"), "warp repeat ");
   EXPECT_EQ(unrendered("sphere { 0, 1 pigment { rgb 1 turbulence 1 } }"), "");
-  EXPECT_EQ(errors(load("sphere { 0, 1 pigment { granite } }")),
-            "'granite' cannot be rendered by this version of Firstlight\n");
+  EXPECT_EQ(errors(load("sphere { 0, 1 pigment { cells } }")),
+            "'cells' cannot be rendered by this version of Firstlight\n");
 }
 
 TEST(ParsePattern, EveryPatternTellsWhetherItIsRendered) {
@@ -182,7 +182,10 @@ TEST(ParsePattern, TurbulenceStandsNearestToThePattern) {
   EXPECT_EQ(warps.turbulence->lambda, 3.0);
   EXPECT_EQ(warps.turbulence->omega, 0.25);
   ASSERT_EQ(warps.steps.size(), 1u);
-  expect_near(warps.to_pattern(Vec3(4, 0, 0)), Vec3(1, 0, 0));
+  const Vec3 still(1, 0, 0);
+  expect_near(warps.to_pattern(Vec3(4, 0, 0), false), still);
+  const Vec3 moved = still + render::dturbulence(still, render::octaves_of(*warps.turbulence)) * Vec3(1, 2, 3);
+  expect_near(warps.to_pattern(Vec3(4, 0, 0)), moved);
 }
 
 TEST(ParsePattern, WarpsAndTransformationsKeepTheirOrder) {
@@ -253,7 +256,7 @@ TEST(ParsePattern, PigmentPatternHoldsThePigment) {
   const auto& inner = parameters<render::PigmentParameters>(pigment.pattern).pigment;
   ASSERT_TRUE(inner);
   EXPECT_EQ(inner->pattern->kind, PatternKind::granite);
-  EXPECT_EQ(unrendered("sphere { 0, 1 pigment { pigment_pattern { granite } } }"), "pigment_pattern granite ");
+  EXPECT_EQ(unrendered("sphere { 0, 1 pigment { pigment_pattern { crackle } } }"), "pigment_pattern crackle ");
 }
 
 TEST(ParsePattern, FunctionPatternHoldsTheFunction) {
