@@ -31,7 +31,7 @@ void normalize_all(std::size_t count, Columns3<double>& normals) {
 
 Vec3 NormalSpace::into(Vec3 normal) const {
   if (!keeps_length) normal.normalize();
-  if (placement != nullptr) normal = placement->inverse().normal(normal);
+  if (placement != nullptr) normal = placement->normal(normal);
   normal = warps->normal_to_pattern(normal);
   if (!keeps_length) normal.normalize();
   return normal;
@@ -40,7 +40,7 @@ Vec3 NormalSpace::into(Vec3 normal) const {
 Vec3 NormalSpace::out_of(Vec3 normal) const {
   if (!keeps_length) normal.normalize();
   normal = warps->normal_from_pattern(normal);
-  if (placement != nullptr) normal = placement->normal(normal);
+  if (placement != nullptr) normal = placement->inverse().normal(normal);
   if (!keeps_length) normal.normalize();
   return normal;
 }

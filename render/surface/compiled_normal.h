@@ -9,7 +9,7 @@ namespace firstlight::render {
 
 /// The way of a normal into a space in which it is tilted, and back.
 struct NormalSpace {
-  const Transform* placement = nullptr;  ///< from the space to the scene; null: none
+  const Transform* placement = nullptr;  ///< from the scene to the space; null: they are one
   const Warps* warps = nullptr;          ///< from the pattern to the space; of all of them transformations alone count
   bool keeps_length = false;             ///< no_bump_scale: a space that stretches normals makes bumps weaker
 
@@ -29,7 +29,7 @@ class CompiledNormal {
 
   bool keeps_length() const { return keeps_length_; }
   /// Tilts `normals`, one for each of `points`, which are given in the space that the normal is placed in.
-  /// `placement`: of that space in the scene, null where the normals are in that space already.
+  /// `placement`: from the normals' space to that one, null where they are in that space already.
   void tilt(const SurfacePoints& points, const Transform* placement, Columns3<double>& normals) const;
 
  private:

@@ -61,7 +61,7 @@ struct Coat {
 struct CoatPoints {
   const Coat* coat = nullptr;
   std::vector<NormalSpace> spaces;         ///< that normals pass on the way to the coat's own space, the outermost first
-  const Transform* placement = nullptr;    ///< of that space in the last of them, or in the scene
+  const Transform* placement = nullptr;    ///< from the last of them, or from the scene, to that space
   SurfacePoints points;                    ///< `at` in the coat's space
   std::array<std::uint8_t, kRaysAtOnce> lane;  ///< of each: the point of the texture that it stands for
   Column<double> share;                    ///< of the texture, that the coat is there
@@ -110,7 +110,7 @@ class SurfaceTable {
   /// On the way down.
   struct Way {
     std::vector<NormalSpace> spaces;
-    const Transform* placement = nullptr;  ///< of the space at hand in what is around it
+    const Transform* placement = nullptr;  ///< from what is around it to the space at hand
   };
 
   std::uint32_t compile(const Texture& texture);
