@@ -62,6 +62,10 @@ struct PigmentLimits {
     if (!is_patterned(pigment.pattern->kind)) {
       include(pigment.color, pigment.color, 0.0);
     } else {
+      if (pigment.pattern->pigments) {
+        for (const MapEntry<Pigment>& entry : pigment.pattern->pigments->entries) include_all(entry.value);
+        return;
+      }
       const ColorMap& map = map_of(pigment);
       for (const ColorMapEntry& entry : map) include(entry.color, entry.color, 0.0);
       const Wave& wave = pigment.pattern->wave;  // a list's places are whole numbers, unless a wave moves them
@@ -89,6 +93,16 @@ struct PigmentLimits {
   }
 
  private:
+  void include_all(const Pigment& part) {
+    const PigmentLimits limits(part, old_opacity_ ? 360 : 370);
+    for (std::size_t i = 0; i < 3; ++i) {
+      color[i].include(limits.color[i].low);
+      color[i].include(limits.color[i].high);
+      passed[i].include(limits.passed[i].low);
+      passed[i].include(limits.passed[i].high);
+      body[i] = std::max(body[i], limits.body[i]);
+    }
+  }
   void include(const FilteredColor& from, const FilteredColor& to, double error) {
     const auto line = [](float a, float b) { return Line{a, static_cast<double>(b) - static_cast<double>(a)}; };
     const Line filter = line(from.filter, to.filter);
@@ -255,6 +269,13 @@ double Maker::mirror_of(const Finish& finish, const PigmentLimits& pigment) {
 }
 
 void Maker::add(const Texture& texture) {
+  // What is between several textures is no more than the one that is most.
+  if (!texture.layers.empty() && texture.layers.front().extras->patterned) {
+    for (const MapEntry<TexturePtr>& entry : texture.layers.front().extras->patterned->textures->entries) {
+      add(*entry.value);
+    }
+    return;
+  }
   SurfaceAnswer answer;
   Channels own{};
   double passed = 1.0;
@@ -263,6 +284,7 @@ void Maker::add(const Texture& texture) {
   bool only_takes = true;
   for (const TextureLayer& layer : texture.layers) {
     const PigmentLimits pigment(layer.pigment, scene_.settings.language_version);
+    need(!layer.pigment.pattern->pigments);  // colours between those of several pigments are not looked at
     const Finish& finish = layer.finish;
     for (std::size_t i = 0; i < 3; ++i) own[i] += passed * most_kept * lit(finish, pigment, i);
     const double mirror = mirror_of(finish, pigment);
