@@ -52,7 +52,7 @@ Object parse_csg(Reader& reader, SceneContext& context, const Token& word) {
       reader.warn(at, "a surface without an inside does not work in " + quoted(word));
     }
     // a difference is what is in the first member and outside of all others
-    if (word.is(Keyword::difference) && !members.empty()) member->inverted = !member->inverted;
+    if (word.is(Keyword::difference) && !members.empty()) invert(*member);
     add_member(reader, at, whole, *member);
     members.push_back(std::move(*member));
   }

@@ -54,7 +54,7 @@ bool accept_flag(Reader& reader, Object& object) {
   } else if (reader.next_is(Keyword::inverse)) {
     const Token& at = reader.take();
     if (object.patch) reader.warn(at, "'inverse' does nothing to a surface without an inside");
-    object.inverted = !object.inverted;
+    invert(object);
   } else {
     return false;
   }

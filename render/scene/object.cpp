@@ -46,8 +46,13 @@ ObjectList make_object_list(std::vector<Object> objects) {
 }
 
 bool is_plain_union(const Object& object) {
-  return object.kind == Object::Kind::union_ && !object.inverted && is_empty(object.extras->clipped_by) &&
+  return object.kind == Object::Kind::union_ && !object.turned && is_empty(object.extras->clipped_by) &&
          is_empty(object.extras->bounded_by);
+}
+
+void invert(Object& object) {
+  object.inverted = !object.inverted;
+  object.turned = true;
 }
 
 void place(Object& object, const Transform& transform) {

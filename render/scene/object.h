@@ -65,6 +65,7 @@ struct Object {
 
   Kind kind = Kind::shape;
   bool inverted = false;
+  bool turned = false;  ///< it has been inverted, if only to be inverted back: then it is no union but a merge
   bool hollow = false;
   bool no_shadow = false;
   bool no_image = false;
@@ -105,6 +106,8 @@ constexpr std::uint32_t kMostDepth = 1000;
 /// A union that nothing cuts, bounds or turns inside out: in another union it is nothing but its members.
 bool is_plain_union(const Object& object);
 
+/// Exchanges inside and outside.
+void invert(Object& object);
 /// Moves the object on, with its textures.
 void place(Object& object, const Transform& transform);
 /// To be called at the end of what is said about an object: its bounds and clips are put about it.

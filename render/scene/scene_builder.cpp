@@ -32,6 +32,7 @@ struct Inherited {
   ObjectTable::Names names = 0;
   std::uint8_t hidden_from = 0;
   bool inverted = false;
+  bool turned = false;  ///< inverted once at least
   bool double_illuminate = false;
   Moves moves;  ///< of the dissolved unions around, one after another, for extent()
 };
@@ -95,7 +96,6 @@ struct SceneBuilder::State {
   ObjectTable objects;
   TexturePtr default_texture;   ///< of the object that is being added
   const Object* top = nullptr;  ///< that object
-  std::uint32_t matter = 0;     ///< of that object: the interior that its topmost node will make
   std::uint64_t size = 1;       ///< of the top-level solid at hand
   bool has_camera = false;
   BoundingRules bounding;
@@ -150,6 +150,7 @@ Inherited SceneBuilder::State::at_node(const Object& object, const Inherited& pa
   node.hidden_from |= hidden_bits(object);
   if (!extras.names.empty()) node.names = objects.within(parent.names, extras.names);
   node.inverted = parent.inverted != object.inverted;
+  node.turned |= object.turned;
   node.double_illuminate |= object.double_illuminate;
   return node;
 }
@@ -179,8 +180,7 @@ void SceneBuilder::State::promote_finish(std::uint32_t texture, std::uint32_t in
 
 /// Whether `object` is a union that is nothing but its members, as POV-Ray has it.
 bool SceneBuilder::State::dissolves(const Object& object, const Inherited& parent) const {
-  if (object.kind == Object::Kind::shape || object.kind == Object::Kind::light) return false;
-  if (solid_kind(object.kind, parent.inverted != object.inverted) != Solid::Kind::union_) return false;
+  if (object.kind != Object::Kind::union_ || object.turned || parent.turned) return false;
   const ObjectExtras& extras = object.extras;
   if (!is_empty(extras.clipped_by) || !object.split_union) return false;
   if (is_empty(extras.bounded_by) || extras.light_group || is_empty(object.children)) return true;
@@ -221,7 +221,6 @@ void SceneBuilder::State::add_solid(const Object& object, const Inherited& paren
     if (has_form(object)) ++scene->described;
     return;
   }
-  solid.matter = matter;
   if (object.cramped || !solid.is_plain()) solid.set_extent(extent(object, span_of(parent.moves)));
 }
 
@@ -238,9 +237,12 @@ bool SceneBuilder::State::freeze(const Object& object, const Inherited& parent, 
     return false;
   }
   const Inherited node = at_node(object, parent);
+  if (top_level) solid.matter = node.interior;
   if (object.extras->form) note_form(*object.extras->form, node);
   if (object.kind == Object::Kind::shape && !object.shape) return false;
   solid.kind = solid_kind(object.kind, node.inverted);
+  // The complement of a union's complement is a merge. [POV-Ray 3.7]
+  if (node.turned && solid.kind == Solid::Kind::union_) solid.kind = Solid::Kind::merge;
   solid.hidden_from = node.hidden_from;
   if (object.kind == Object::Kind::shape) {
     solid.shape = placed_shape(object, node.to_world, node.inverted);
@@ -356,7 +358,6 @@ void SceneBuilder::set_bounding(const BoundingRules& rules) { state_->bounding =
 
 void SceneBuilder::add(const Object& object, const TexturePtr& default_texture) {
   if (state_->default_texture != default_texture) state_->default_texture = default_texture;
-  state_->matter = static_cast<std::uint32_t>(state_->scene->interiors.size());
   state_->top = &object;
   state_->link(object);
   state_->top = nullptr;

@@ -130,12 +130,10 @@ void Stepper::put_on(std::size_t hit, const Coat& coat, double of_texture, std::
   HitBlock& block = *block_;
   Surface& surface = surfaces_[hit];
   const double bailout = context_.scene.settings.adc_bailout;
-  Coating coating;
+  Coating& coating = coatings_.emplace_back();
   coating.hit = hit;
   coating.weight = surface.task->weight();
   if (of_texture != 1.0) coating.weight *= static_cast<float>(of_texture);
-  coating.is_tilted = false;
-  coating.normal = Vec3(0.0);
   coating.first_mirror = mirrors_.size();
   double share = 1.0;
   Rgb filter(1.0f);
@@ -183,7 +181,9 @@ void Stepper::put_on(std::size_t hit, const Coat& coat, double of_texture, std::
     if (layer.reflects) {
       double adc_weight = surface.task->adc_weight() * share;
       const double steepness =
-          -block.direction.vector(hit).dot(layer.normal != nullptr ? normal : block.normal.vector(hit));
+          layer.is_even_mirror
+              ? 0.0  // not asked
+              : -block.direction.vector(hit).dot(layer.normal != nullptr ? normal : block.normal.vector(hit));
       const Rgb reflection = reflectivity(surface, steepness, layer, color.rgb, adc_weight);
       mirrors_.push_back({&layer, reflection, adc_weight, layer.normal != nullptr, normal});
       if (layer.source->finish->conserve_energy) {
@@ -198,7 +198,6 @@ void Stepper::put_on(std::size_t hit, const Coat& coat, double of_texture, std::
   coating.share = share;
   coating.mirror_count = mirrors_.size() - coating.first_mirror;
   surface.own_light += coating.weight * own_light;
-  coatings_.push_back(coating);
 }
 
 void Stepper::shade() {

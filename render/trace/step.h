@@ -90,8 +90,8 @@ class Stepper {
     Rgb weight;      ///< of the ray, times the coat's share of the texture
     Rgb filter;      ///< what all layers let through
     double share;    ///< the same as one number; 0 where nothing passes
-    bool is_tilted;  ///< the topmost layer is
-    Vec3 normal;     ///< of the topmost layer
+    bool is_tilted = false;  ///< the topmost layer is
+    Vec3 normal{0.0};        ///< of the topmost layer
     std::size_t first_mirror;
     std::size_t mirror_count;
   };
@@ -130,7 +130,7 @@ class Stepper {
   void spawn_reflections(const Coating& coating, bool totally);
   /// Where a ray goes that a tilted normal reflects.
   Vec3 reflected_by(std::size_t hit, const Vec3& normal) const;
-  /// `steepness`: minus the cosine of the ray to the layer's normal.
+  /// `steepness`: minus the cosine of the ray to the layer's normal; even mirrors do not ask for it.
   Rgb reflectivity(const Surface& surface, double steepness, const SurfaceLayer& layer, const Rgb& color,
                    double& adc_weight) const;
   double relative_ior(const Surface& surface) const;

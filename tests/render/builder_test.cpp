@@ -307,7 +307,7 @@ TEST(SceneBuilder, FlagsReachTheLeaves) {
 
 TEST(SceneBuilder, ComplementOfAUnionIsTheIntersectionOfComplements) {
   Object object = union_of({sphere_at(0), sphere_at(1)});
-  object.inverted = true;
+  invert(object);
   const auto scene = scene_of({object});
   ASSERT_EQ(scene->solids.size(), 1u);
   EXPECT_EQ(scene->solids[0].kind, Solid::Kind::intersection);
@@ -318,7 +318,7 @@ TEST(SceneBuilder, ComplementOfAUnionIsTheIntersectionOfComplements) {
 
 TEST(SceneBuilder, ComplementOfAnIntersectionIsAMerge) {
   Object inner = intersection_of({sphere_at(0), sphere_at(1)});
-  inner.inverted = true;
+  invert(inner);
   const auto scene = scene_of({intersection_of({sphere_at(0, 3), inner})});
   const Solid& solid = scene->solids[0];
   EXPECT_EQ(solid.members()[1].kind, Solid::Kind::merge);
@@ -328,9 +328,9 @@ TEST(SceneBuilder, ComplementOfAnIntersectionIsAMerge) {
 
 TEST(SceneBuilder, InvertedTwiceIsAsBefore) {
   Object child = sphere_at(0);
-  child.inverted = true;
+  invert(child);
   Object parent = intersection_of({child});
-  parent.inverted = true;
+  invert(parent);
   const auto scene = scene_of({parent});
   EXPECT_FALSE(scene->parts[0].inverted);
   EXPECT_TRUE(scene->solids[0].inside({0.0, 0.0, 0.0}));

@@ -168,7 +168,7 @@ TEST(Start, IsInsideOfWhatIsAroundItWithinItsBox) {
   EXPECT_FALSE(starts_in(object_of(make_disc(Vec3(0.0), Vec3(0.0, 0.0, 1.0), 1.0, 0.0)), Vec3(0.0, 0.0, -1.0)));
   EXPECT_TRUE(starts_in(object_of(make_plane(Vec3(0.0, 1.0, 0.0), 0.0)), Vec3(0.0, -5.0, 0.0)));
   Object inverse = object_of(make_sphere(Vec3(0.0), 1.0));
-  inverse.inverted = true;
+  invert(inverse);
   EXPECT_FALSE(starts_in(inverse, Vec3(0.0, 5.0, 0.0)));
   EXPECT_TRUE(starts_in(inverse, Vec3(0.9)));
 }
