@@ -4,6 +4,7 @@
 #include "render/math/vec.h"
 #include "render/scene/scene.h"
 
+#include <array>
 #include <cstdint>
 #include <memory>
 #include <span>
@@ -24,8 +25,11 @@ struct Hit {
   double depth = 0.0;
   std::uint32_t part = kNoIndex;
   std::uint32_t face = 0;
-  const Shape* shape = nullptr;  ///< answers normal() for this crossing
+  const Shape* shape = nullptr;  ///< answers what is asked about this crossing
   std::uint32_t solid = kNoIndex;
+  std::array<double, 2> place{};  ///< Crossing::place
+
+  Crossing crossing() const { return {depth, shape, part, face, place}; }
 };
 
 /// POV-Ray 3.7: a feeler ignores what is closer than this to either of its ends, in scene units.

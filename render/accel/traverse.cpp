@@ -42,7 +42,7 @@ class ClosestSearch {
     runner_up_[i] = rays_.max_depth[i];
     if (plane >= 0) {
       const PlaneLeaf& leaf = leaves_.planes[static_cast<std::size_t>(plane)];
-      hit = {depth, leaf.head.part, 0, leaf.head.shape, leaf.head.solid};
+      hit = {depth, leaf.head.part, 0, leaf.head.shape, leaf.head.solid, {}};
       if (leaf.in_doubt) runner_up_[i] = depth;
     } else {
       hit = Hit();
@@ -66,7 +66,7 @@ class ClosestSearch {
     unsigned bits = meet_spheres(block, rays_, float_rays_, i, limit(i), depths);
     for (bits = seen(block, bits, rays_.hidden_bit[i]); bits != 0; bits &= bits - 1) {
       const auto lane = static_cast<std::size_t>(__builtin_ctz(bits));
-      offer(i, depths[lane], 0, leaves_.spheres[ref.index() * kLanes + lane], 0.0);
+      offer(i, depths[lane], 0, {}, leaves_.spheres[ref.index() * kLanes + lane], 0.0);
     }
   }
 
@@ -87,9 +87,9 @@ class ClosestSearch {
     if (ref.kind() == ChildKind::box) {
       const BoxLeaf& leaf = leaves_.boxes[ref.index()];
       if (hidden(i, leaf.head) || !exact(i).meets(leaf.bounds, from)) return;
-      Met met;
+      BoxMet met;
       leaf.box.meet(ray_of(rays_, i), met);
-      for (std::size_t m = met.count; m-- > 0;) offer(i, met.depth[m], met.face[m], leaf.head, from);
+      for (std::size_t m = met.count; m-- > 0;) offer(i, met.depth[m], met.face[m], {}, leaf.head, from);
     } else {
       const SolidLeaf& leaf = leaves_.solids[ref.index()];
       if (leaf.only_blocks || hidden(i, leaf.head) || !exact(i).meets(leaf.bounds, from) || from > limit(i)) return;
@@ -101,13 +101,14 @@ class ClosestSearch {
       for (std::size_t c = scratch.size(); c-- > 0;) {
         head.shape = scratch[c].shape;
         head.part = scratch[c].part;
-        offer(i, scratch[c].depth, scratch[c].face, head, from);
+        offer(i, scratch[c].depth, scratch[c].face, scratch[c].place, head, from);
       }
     }
   }
 
   /// Crossings of one solid are offered last first; the first of equals stays.
-  HWY_INLINE void offer(std::size_t i, double depth, std::uint32_t face, const LeafHead& head, double from) {
+  HWY_INLINE void offer(std::size_t i, double depth, std::uint32_t face, const std::array<double, 2>& place,
+                        const LeafHead& head, double from) {
     Hit& hit = hits_[i];
     if (!(depth > rays_.min_depth[i] && depth >= from)) return;
     if (!(depth < hit.depth)) {
@@ -115,7 +116,7 @@ class ClosestSearch {
       return;
     }
     if (head.solid != hit.solid) runner_up_[i] = hit.depth;
-    hit = {depth, head.part, face, head.shape, head.solid};
+    hit = {depth, head.part, face, head.shape, head.solid, place};
     float_rays_.last[i] = FloatRays::above(depth);
   }
 
@@ -130,7 +131,7 @@ class ClosestSearch {
     if (nearest == nullptr) return;
     head.shape = nearest->shape;
     head.part = nearest->part;
-    offer(i, std::max(nearest->depth, from), nearest->face, head, from);
+    offer(i, std::max(nearest->depth, from), nearest->face, nearest->place, head, from);
     if (nearest->depth >= from || hits_[i].solid != head.solid) return;
     early_ |= std::uint64_t{1} << i;
     early_solid_[i] = head.solid;
@@ -186,7 +187,7 @@ class BlockingSearch {
     if (ref.kind() == ChildKind::box) {
       const BoxLeaf& leaf = leaves_.boxes[ref.index()];
       if (transparent(i, leaf.head) || !exact(i).meets(leaf.bounds, from)) return;
-      Met met;
+      BoxMet met;
       leaf.box.meet(ray_of(rays_, i), met);
       for (std::size_t m = 0; m < met.count; ++m) offer(i, met.depth[m], from);
     } else {

@@ -35,6 +35,7 @@ struct ObjectExtras {
   ObjectList bounded_by = {};             ///< rays that miss any of these miss the object
   bool bounds_are_clips = false;          ///< bounded_by { clipped_by }
 
+  std::vector<TexturePtr> shape_textures = {};  ///< of Kind::shape: the shape's own list, in its space
   TexturePtr interior_texture = {};  ///< seen from inside; null: inherited, or as outside
   Transform interior_texture_placement = {};
   std::optional<Shared<Interior>> interior = {};  ///< not set: inherited

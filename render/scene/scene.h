@@ -32,6 +32,9 @@ struct Part {
   std::uint32_t interior_texture = kNoIndex;  ///< seen against the normal; kNoIndex: as `texture`
   std::uint32_t interior = 0;                 ///< into Scene::interiors; equal for all parts of one piece of matter
   std::uint32_t object = 0;                   ///< into Scene::objects: what a user may call it
+  std::uint32_t shape_textures = 0;           ///< into Scene::shape_textures: the first of the shape's own list
+  bool has_shape_textures = false;            ///< the shape says which textures are seen at a point
+  bool uv_mapping = false;                    ///< textures lie in the surface's own coordinates
   bool opaque = false;                        ///< no light passes, from either side
   bool inverted = false;
   bool double_illuminate = false;
@@ -77,6 +80,7 @@ struct Scene {
   std::vector<Solid> solids;
   std::vector<Part> parts;
   std::vector<PlacedTexture> textures;
+  std::vector<std::uint32_t> shape_textures;  ///< the lists of all shapes that have some, into `textures`
   std::vector<Shared<Interior>> interiors;
   std::vector<ObjectGroup> objects;
   std::size_t described = 0;    ///< top-level objects that are no solids, for they cannot be rendered

@@ -34,6 +34,7 @@ struct Inherited {
   bool inverted = false;
   bool turned = false;  ///< inverted once at least
   bool double_illuminate = false;
+  bool uv_mapping = false;  ///< of the textures
   Moves moves;  ///< of the dissolved unions around, one after another, for extent()
 };
 
@@ -110,6 +111,7 @@ struct SceneBuilder::State {
   void add_solid(const Object& object, const Inherited& parent);
   void note_region(const ObjectList& objects);
   void note_form(const Form& form, const Inherited& node);
+  void add_shape_textures(Part& part, const Object& object, const Inherited& leaf);
   void note_object(const std::shared_ptr<const Object>& object);
   void note_surfaces();
   void note_atmosphere();
@@ -123,8 +125,14 @@ Inherited SceneBuilder::State::at_node(const Object& object, const Inherited& pa
   Inherited node = parent;
   const ObjectExtras& extras = object.extras;
   node.to_world = object.placement.then(parent.to_world);
+  // A texture that lies in the surface's own coordinates moves with it. What has not both textures of its own is mapped
+  // as its parent is. [POV-Ray 3.7]
+  node.uv_mapping = object.uv_mapping || (parent.uv_mapping && !(object.texture && extras.interior_texture));
+  const auto placed = [&](const Transform& placement) {
+    return object.uv_mapping ? Transform() : placement.then(parent.to_world);
+  };
   if (object.texture) {
-    const Transform place = object.texture_placement.then(parent.to_world);
+    const Transform place = placed(object.texture_placement);
     // What the object at top level alone holds, nothing else can ask for.
     const bool unshared = &object == top && object.texture.use_count() == 1;
     node.texture =
@@ -132,7 +140,7 @@ Inherited SceneBuilder::State::at_node(const Object& object, const Inherited& pa
   }
   if (extras.interior_texture) {
     node.interior_texture =
-        textures.index_of(extras.interior_texture, extras.interior_texture_placement.then(parent.to_world));
+        textures.index_of(extras.interior_texture, placed(extras.interior_texture_placement));
   }
   if (node.texture == kNoIndex && object.kind == Object::Kind::shape && default_texture) {
     node.texture = textures.index_of(default_texture, Transform());
@@ -318,9 +326,21 @@ void SceneBuilder::State::add_part(Solid& solid, const Object& object, const Inh
   const SurfaceKind surface = leaf.texture == kNoIndex ? SurfaceKind::plain : textures.kind(leaf.texture);
   part.object = objects.group(leaf.names, object.word, surface, size);
   part.inverted = leaf.inverted;
+  part.uv_mapping = leaf.uv_mapping;
+  if (!object.extras->shape_textures.empty()) add_shape_textures(part, object, leaf);
   part.double_illuminate = leaf.double_illuminate;
   solid.part = static_cast<std::uint32_t>(scene->parts.size());
   scene->parts.push_back(part);
+}
+
+void SceneBuilder::State::add_shape_textures(Part& part, const Object& object, const Inherited& leaf) {
+  part.has_shape_textures = true;
+  part.shape_textures = static_cast<std::uint32_t>(scene->shape_textures.size());
+  for (const TexturePtr& texture : object.extras->shape_textures) {
+    const std::uint32_t index = textures.index_of(texture, leaf.uv_mapping ? Transform() : leaf.to_world);
+    scene->shape_textures.push_back(index);
+    part.opaque = part.opaque && textures.opaque(index);
+  }
 }
 
 void SceneBuilder::State::note_atmosphere() {

@@ -23,13 +23,12 @@ AxisBox ordered(const Vec3& a, const Vec3& b) {
 }  // namespace
 
 void Box::crossings(const Ray& ray, std::vector<Crossing>& out) const {
-  Met met;
+  Met met(*this, out);
   box_.meet(ray, met);
-  for (std::size_t i = 0; i < met.count; ++i) out.push_back({met.depth[i], this, 0, met.face[i]});
 }
 
 Vec3 Box::normal(const Vec3& point, const Crossing& crossing) const {
-  const Vec3 n = box_.normal(point, crossing.face);
+  const Vec3 n = box_.normal(point, crossing);
   return inverted_ ? -n : n;
 }
 

@@ -3,9 +3,23 @@
 #include "render/shape/placed.h"
 #include "render/shape/tolerance.h"
 
+#include <array>
 #include <cmath>
+#include <cstddef>
 
 namespace firstlight::render {
+
+/// The crossings of a box with one ray.
+struct BoxMet {
+  std::array<double, 2> depth;
+  std::array<std::uint32_t, 2> face;
+  std::size_t count = 0;
+
+  void add(double at, std::uint32_t which) {
+    depth[count] = at;
+    face[count++] = which;
+  }
+};
 
 /// A box along the axes of its space, and its formulas. Face 2 * axis is the lower side, 2 * axis + 1 the upper.
 ///
@@ -15,8 +29,9 @@ struct AxisBox {
   Vec3 low;
   Vec3 high;
 
-  /// Depths are those of the given ray, whatever its direction's length.
-  void meet(const Ray& ray, Met& met) const {
+  /// Depths are those of the given ray, whatever its direction's length. `met.add(depth, face)` takes them.
+  template <class List>
+  void meet(const Ray& ray, List& met) const {
     double near = 0.0;
     double far = kBoundingHuge;
     int near_face = -1;
@@ -54,10 +69,29 @@ struct AxisBox {
     met.add(far, static_cast<std::uint32_t>(far_face));
   }
   bool inside(const Vec3& point, bool inverted) const { return Box3(low, high).intersects(point) != inverted; }
-  Vec3 normal(const Vec3&, std::uint32_t face) const {
+  Vec3 normal(const Vec3&, const Crossing& at) const {
     Vec3 n(0.0);
-    n[static_cast<int>(face / 2)] = face % 2 == 0 ? -1.0 : 1.0;
+    n[static_cast<int>(at.face / 2)] = at.face % 2 == 0 ? -1.0 : 1.0;
     return n;
+  }
+  /// On a box that is unfolded to a cross, four squares wide and three high. [POV-Ray 3.7]
+  Vec2 uv(const Vec3& point, const Crossing& at) const {
+    const Vec3 size = high - low;
+    const Vec3 p((point.x - low.x) / size.x, (point.y - low.y) / size.y, (point.z - low.z) / size.z);
+    switch (at.face) {
+      case 0:
+        return Vec2(p.z / 4.0, 1.0 / 3.0 + p.y / 3.0);
+      case 1:
+        return Vec2(3.0 / 4.0 - p.z / 4.0, 1.0 / 3.0 + p.y / 3.0);
+      case 2:
+        return Vec2(1.0 / 4.0 + p.x / 4.0, p.z / 3.0);
+      case 3:
+        return Vec2(1.0 / 4.0 + p.x / 4.0, 1.0 - p.z / 3.0);
+      case 4:
+        return Vec2(1.0 - p.x / 4.0, 1.0 / 3.0 + p.y / 3.0);
+      default:
+        return Vec2(1.0 / 4.0 + p.x / 4.0, 1.0 / 3.0 + p.y / 3.0);
+    }
   }
   Box3 bounds() const { return Box3(low, high); }
   Box3 inside_bounds() const { return bounds(); }
@@ -78,6 +112,7 @@ class Box final : public Shape {
   void crossings(const Ray& ray, std::vector<Crossing>& out) const override;
   bool inside(const Vec3& point) const override { return box_.inside(point, inverted_); }
   Vec3 normal(const Vec3& point, const Crossing& crossing) const override;
+  Vec2 uv(const Vec3& point, const Crossing& crossing) const override { return box_.uv(point, crossing); }
   Box3 bounds() const override { return box_.bounds(); }
   Box3 inside_bounds() const override { return inverted_ ? boundless_box() : box_.bounds(); }
   Box3 outside_bounds() const override { return inverted_ ? box_.bounds() : boundless_box(); }

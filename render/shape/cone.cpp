@@ -52,9 +52,9 @@ struct Cylinder {
     const bool outside = p.x * p.x + p.y * p.y > 1.0 + room || p.z < -room || p.z > 1.0 + room;
     return outside == inverted;
   }
-  Vec3 normal(const Vec3& p, std::uint32_t face) const {
-    if (face == kSide) return Vec3(p.x, p.y, 0.0);
-    return Vec3(0.0, 0.0, face == kCap ? 1.0 : -1.0);
+  Vec3 normal(const Vec3& p, const Crossing& at) const {
+    if (at.face == kSide) return Vec3(p.x, p.y, 0.0);
+    return Vec3(0.0, 0.0, at.face == kCap ? 1.0 : -1.0);
   }
   Box3 bounds() const { return Box3(Vec3(-1.0, -1.0, 0.0), Vec3(1.0)); }
   Box3 inside_bounds() const { return padded(bounds(), 0.0, 2.0 * kEpsilon); }
@@ -98,9 +98,9 @@ struct Cone {
     const bool outside = p.x * p.x + p.y * p.y > p.z * p.z + room || p.z < start - room || p.z > 1.0 + room;
     return outside == inverted;
   }
-  Vec3 normal(const Vec3& p, std::uint32_t face) const {
-    if (face == kSide) return Vec3(p.x, p.y, -p.z);
-    return Vec3(0.0, 0.0, face == kCap ? 1.0 : -1.0);
+  Vec3 normal(const Vec3& p, const Crossing& at) const {
+    if (at.face == kSide) return Vec3(p.x, p.y, -p.z);
+    return Vec3(0.0, 0.0, at.face == kCap ? 1.0 : -1.0);
   }
   Box3 bounds() const { return Box3(Vec3(-1.0, -1.0, start), Vec3(1.0)); }
   // An open cone's tolerance lets points near the tip count that are 1e-5 from the axis, still far within the box.

@@ -30,7 +30,7 @@ struct Disc {
     if (depth > kNearestCrossing && depth < kMaxDistance) met.add(depth);
   }
   bool inside(const Vec3& point, bool inverted) const { return (point.z < 0.0) != inverted; }
-  Vec3 normal(const Vec3&, std::uint32_t) const { return Vec3(0.0, 0.0, 1.0); }
+  Vec3 normal(const Vec3&, const Crossing&) const { return Vec3(0.0, 0.0, 1.0); }
   Box3 bounds() const {
     const double r = std::sqrt(radius_squared);
     return Box3(Vec3(-r, -r, -kHalfThickness), Vec3(r, r, kHalfThickness));

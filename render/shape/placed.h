@@ -3,21 +3,26 @@
 #include "render/shape/shape.h"
 
 #include <array>
-#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <type_traits>
 #include <utility>
+#include <vector>
 
 namespace firstlight::render {
 
-/// The crossings of one primitive with one ray: depths along the ray as it was given.
-struct Met {
-  std::array<double, 4> depth;
-  std::array<std::uint32_t, 4> face;
-  std::size_t count = 0;
+/// Takes the crossings of one primitive with one ray: depths along the ray as it was given.
+class Met {
+ public:
+  Met(const Shape& shape, std::vector<Crossing>& out) : shape_(&shape), out_(&out) {}
 
-  void add(double at, std::uint32_t which = 0) {
-    depth[count] = at;
-    face[count++] = which;
+  void add(double depth, std::uint32_t face = 0, const std::array<double, 2>& place = {}) {
+    out_->push_back({depth, shape_, 0, face, place});
   }
+
+ private:
+  const Shape* shape_;
+  std::vector<Crossing>* out_;
 };
 
 /// The same ray with a direction of unit length; depths along it are `length` times as long. The direction is
@@ -34,47 +39,86 @@ struct UnitRay {
 ///
 ///     void meet(const Ray& ray, Met& met) const;                     the ray's direction may have any length
 ///     bool inside(const Vec3& point, bool inverted) const;
-///     Vec3 normal(const Vec3& point, std::uint32_t face) const;      outward, of any length
+///     Vec3 normal(const Vec3& point, const Crossing& at) const;      outward, of any length
+///     Vec2 uv(const Vec3& point, const Crossing& at) const;          may be left out: x and y of the point in space
+///     void textures(const Vec3& point, const Crossing& at, std::vector<TextureShare>& out) const;   may be left out
 ///     Box3 bounds() const;
 ///     Box3 inside_bounds() const;
 ///     Box3 given_bounds() const;                                     may be left out: as bounds()
 ///     static constexpr bool kAsksBox;                                may be left out: true
+///     static constexpr bool kIsLarge;                                may be left out: false
 ///
-/// A Local is a small value; placing a shape copies it and composes the transformations.
+/// Placing a shape composes the transformations and copies the Local; a large one is shared by all that are placed.
 template <class Local>
 class Placed final : public Shape {
  public:
   Placed(Local local, Transform transform, bool inverted = false)
-      : local_(std::move(local)), transform_(std::move(transform)), inverted_(inverted) {}
+      : Placed(Held(std::move(local)), std::move(transform), inverted) {}
 
   void crossings(const Ray& ray, std::vector<Crossing>& out) const override {
-    Met met;
-    local_.meet(transform_.inverse_ray(ray), met);
-    for (std::size_t i = 0; i < met.count; ++i) out.push_back({met.depth[i], this, 0, met.face[i]});
+    Met met(*this, out);
+    local().meet(transform_.inverse_ray(ray), met);
   }
-  bool inside(const Vec3& point) const override { return local_.inside(transform_.inverse_point(point), inverted_); }
+  bool inside(const Vec3& point) const override { return local().inside(transform_.inverse_point(point), inverted_); }
   Vec3 normal(const Vec3& point, const Crossing& crossing) const override {
-    const Vec3 n = transform_.normal(local_.normal(transform_.inverse_point(point), crossing.face)).normalized();
+    const Vec3 n = transform_.normal(local().normal(transform_.inverse_point(point), crossing)).normalized();
     return inverted_ ? -n : n;
   }
-  Box3 bounds() const override { return transform_.box(local_.bounds()); }
+  Vec2 uv(const Vec3& point, const Crossing& crossing) const override {
+    if constexpr (requires { local().uv(point, crossing); }) {
+      return local().uv(transform_.inverse_point(point), crossing);
+    } else {
+      return Shape::uv(point, crossing);
+    }
+  }
+  void textures(const Vec3& point, const Crossing& crossing, std::vector<TextureShare>& out) const override {
+    if constexpr (requires { local().textures(point, crossing, out); }) {
+      local().textures(transform_.inverse_point(point), crossing, out);
+    } else {
+      Shape::textures(point, crossing, out);
+    }
+  }
+  Box3 bounds() const override { return transform_.box(local().bounds()); }
   Box3 given_bounds() const override {
-    if constexpr (requires { local_.given_bounds(); }) return transform_.box(local_.given_bounds());
+    if constexpr (requires { local().given_bounds(); }) return transform_.box(local().given_bounds());
     return bounds();
   }
-  Box3 inside_bounds() const override { return inverted_ ? boundless_box() : transform_.box(local_.inside_bounds()); }
-  Box3 outside_bounds() const override { return inverted_ ? transform_.box(local_.inside_bounds()) : boundless_box(); }
+  Box3 inside_bounds() const override { return inverted_ ? boundless_box() : transform_.box(local().inside_bounds()); }
+  Box3 outside_bounds() const override { return inverted_ ? transform_.box(local().inside_bounds()) : boundless_box(); }
   ShapePtr placed(const Transform& transform) const override {
-    return std::make_shared<Placed>(local_, transform_.then(transform), inverted_);
+    return std::shared_ptr<const Placed>(new Placed(held_, transform_.then(transform), inverted_));
   }
   bool asks_box() const override {
     if constexpr (requires { Local::kAsksBox; }) return Local::kAsksBox;
     return true;
   }
-  ShapePtr inverted() const override { return std::make_shared<Placed>(local_, transform_, !inverted_); }
+  ShapePtr inverted() const override {
+    return std::shared_ptr<const Placed>(new Placed(held_, transform_, !inverted_));
+  }
 
  private:
-  Local local_;
+  static constexpr bool is_large() {
+    if constexpr (requires { Local::kIsLarge; }) return Local::kIsLarge;
+    return false;
+  }
+  /// A Local, or many shapes' share in one.
+  struct Own {
+    Local local;
+    explicit Own(Local given) : local(std::move(given)) {}
+    const Local& get() const { return local; }
+  };
+  struct Common {
+    std::shared_ptr<const Local> local;
+    explicit Common(Local given) : local(std::make_shared<const Local>(std::move(given))) {}
+    const Local& get() const { return *local; }
+  };
+  using Held = std::conditional_t<is_large(), Common, Own>;
+
+  Placed(Held held, Transform transform, bool inverted)
+      : held_(std::move(held)), transform_(std::move(transform)), inverted_(inverted) {}
+  const Local& local() const { return held_.get(); }
+
+  Held held_;
   Transform transform_;
   bool inverted_;
 };

@@ -4,6 +4,7 @@
 #include "render/math/transform.h"
 #include "render/math/vec.h"
 
+#include <array>
 #include <cstdint>
 #include <memory>
 #include <vector>
@@ -18,7 +19,15 @@ struct Crossing {
   const Shape* shape = nullptr;
   std::uint32_t part = 0;  ///< index into Scene::parts; set by the solid that owns the shape
   std::uint32_t face = 0;  ///< the shape's own note: which side, cap or triangle was met
+  std::array<double, 2> place{};  ///< likewise: where on the face, a curve's parameter, say
 };
+
+/// A texture that a shape shows, and its share of how the shape looks at a point.
+struct TextureShare {
+  std::uint32_t texture = 0;  ///< in the shape's own list; kObjectTexture: the object's
+  double weight = 1.0;
+};
+constexpr std::uint32_t kObjectTexture = 0xffffffffu;
 
 /// The geometry of one primitive, placed in world space. Immutable; shared between copies of an object.
 ///
@@ -35,6 +44,13 @@ class Shape {
   virtual bool inside(const Vec3& point) const = 0;
   /// Unit outward normal at a crossing that this shape reported. Inverted shapes point inwards.
   virtual Vec3 normal(const Vec3& point, const Crossing& crossing) const = 0;
+  /// Coordinates of the surface's own at a crossing, by which textures may go (uv_mapping). A shape that has none gives
+  /// x and y of the point, as POV-Ray does.
+  virtual Vec2 uv(const Vec3& point, const Crossing&) const { return Vec2(point.x, point.y); }
+  /// Appends the textures that are seen at a crossing, of a shape that has a list of its own. Their weights add up to 1.
+  virtual void textures(const Vec3&, const Crossing&, std::vector<TextureShare>& out) const {
+    out.push_back({kObjectTexture, 1.0});
+  }
   /// World box of the surface; infinite when the shape is unbounded.
   virtual Box3 bounds() const = 0;
   /// The box that POV-Ray gives it. Where a radius is negative it is too small, or turned inside out.

@@ -25,10 +25,13 @@ inline bool meet_sphere(const Ray& ray, const Vec3& center, double radius_square
 /// Whether a sphere's crossing at this depth counts.
 inline bool sphere_depth_counts(double depth) { return depth > kNearestCrossing && depth < kMaxDistance; }
 
+/// Longitude and latitude of a direction from a sphere's middle, both from 0 to 1. [POV-Ray 3.7]
+Vec2 sphere_uv(const Vec3& from_center);
+
 /// A sphere that is round in world space. Anything but a similarity makes an ellipsoid of it, another class.
 class Sphere final : public Shape {
  public:
-  Sphere(const Vec3& center, double radius, bool inverted);
+  Sphere(const Vec3& center, double radius, bool inverted, const Transform& turned = Transform());
 
   const Vec3& center() const { return center_; }
   double radius_squared() const { return radius_ * radius_; }
@@ -36,6 +39,7 @@ class Sphere final : public Shape {
   void crossings(const Ray& ray, std::vector<Crossing>& out) const override;
   bool inside(const Vec3& point) const override;
   Vec3 normal(const Vec3& point, const Crossing& crossing) const override;
+  Vec2 uv(const Vec3& point, const Crossing& crossing) const override;
   Box3 bounds() const override;
   Box3 given_bounds() const override;
   Box3 inside_bounds() const override;
@@ -45,9 +49,12 @@ class Sphere final : public Shape {
   ShapePtr inverted() const override;
 
  private:
+  Transform turned_by(const Transform& transform) const;
+
   Vec3 center_;
   double radius_;  ///< where it is negative, normals point inwards
   bool inverted_;
+  Transform turned_;  ///< what turned its own coordinates; the identity while nothing did
 };
 
 }  // namespace firstlight::render

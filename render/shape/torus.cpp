@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 namespace firstlight::render {
 namespace {
@@ -65,11 +66,17 @@ struct Torus {
     const double from_circle = std::sqrt(p.x * p.x + p.z * p.z) - major;
     return (p.y * p.y + from_circle * from_circle <= minor * minor) != inverted;
   }
-  Vec3 normal(const Vec3& p, std::uint32_t) const {
+  Vec3 normal(const Vec3& p, const Crossing&) const {
     const double from_axis = std::sqrt(p.x * p.x + p.z * p.z);
     if (!(from_axis > kEpsilon)) return p;
     const double to_circle = major / from_axis;
     return Vec3(p.x - p.x * to_circle, p.y, p.z - p.z * to_circle);
+  }
+  /// Around the axis, and around the tube, from 0 to 1. [POV-Ray 3.7]
+  Vec2 uv(const Vec3& p, const Crossing&) const {
+    const double from_circle = std::sqrt(p.x * p.x + p.z * p.z) - major;
+    const auto turns = [](double angle) { return (angle + std::numbers::pi) / (2.0 * std::numbers::pi); };
+    return Vec2(1.0 - turns(std::atan2(p.z, p.x)), turns(std::atan2(p.y, from_circle)));
   }
   Box3 bounds() const { return box(std::abs(major) + std::abs(minor)); }
   Box3 given_bounds() const { return box(std::abs(major + minor)); }

@@ -43,8 +43,11 @@ std::uint32_t SurfaceTable::compile(const Texture& texture) {
     const TexturePattern& patterned = *texture.layers.front().extras->patterned;
     node.pattern.emplace(patterned.pattern, world_);
     node.keeps_length = patterned.pattern.keeps_bump_size;
+    node.by_uv = render::goes_by_uv(patterned.pattern);
     for (const MapEntry<TexturePtr>& entry : patterned.textures->entries) {
-      node.entries.emplace_back(entry.position, compile(*entry.value));
+      const std::uint32_t part = compile(*entry.value);
+      node.entries.emplace_back(entry.position, part);
+      node.by_uv = node.by_uv || nodes_[part].by_uv;
     }
   } else {
     Coat& coat = coats_.emplace_back();
@@ -53,6 +56,8 @@ std::uint32_t SurfaceTable::compile(const Texture& texture) {
     for (const TextureLayer& layer : texture.layers) {
       const SurfaceLayer& surface = layers_.emplace_back(prepared(layer));
       coat.is_even = coat.is_even && surface.is_plain && surface.normal == nullptr;
+      node.by_uv = node.by_uv || render::goes_by_uv(layer.pigment) ||
+                   (layer.extras->normal && render::goes_by_uv(*layer.extras->normal));
       coat.is_glossy = coat.is_glossy || surface.specular > 0.0 || surface.phong > 0.0;
     }
     node.coat = &coat;

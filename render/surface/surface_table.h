@@ -87,6 +87,8 @@ class SurfaceTable {
   const Coat* even_coat(std::uint32_t texture) const { return even_[texture]; }
   /// Whether any layer has highlights.
   bool is_glossy(std::uint32_t texture) const { return glossy_[texture] != 0; }
+  /// Whether it asks for the surface's own coordinates: SurfacePoints::u and v.
+  bool goes_by_uv(std::uint32_t texture) const { return nodes_[roots_[texture]].by_uv; }
   /// Topmost first.
   std::span<const SurfaceLayer> layers(const Coat& coat) const { return {layers_.data() + coat.first, coat.count}; }
   /// The layer's colour where its pigment is `pigment`.
@@ -105,6 +107,7 @@ class SurfaceTable {
     const Coat* coat = nullptr;
     std::optional<CompiledPattern> pattern;
     bool keeps_length = false;
+    bool by_uv = false;  ///< it or a part of it
     std::vector<std::pair<double, std::uint32_t>> entries;  ///< position or weight, node
   };
   /// On the way down.

@@ -26,6 +26,8 @@ struct Normal {
   std::shared_ptr<const NormalMap> normals = {};  ///< instead of `slopes`
 };
 
+/// Whether any part of it goes by a surface's own coordinates.
+bool goes_by_uv(const Normal& normal);
 /// Adds what the normal asks for that cannot be rendered.
 void gather(const Normal& normal, FeatureUses& uses);
 

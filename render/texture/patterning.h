@@ -28,6 +28,8 @@ struct Patterning {
 /// The pattern alone, at its defaults otherwise.
 Patterning patterned(PatternKind kind, PatternParameters parameters = {});
 
+/// Whether it goes by a surface's own coordinates, itself or by a pigment that it asks.
+bool goes_by_uv(const Patterning& patterning);
 /// Adds what the pattern itself asks for that cannot be rendered. Nothing for a single colour.
 void gather(const Patterning& patterning, FeatureUses& uses);
 

@@ -42,6 +42,19 @@ bool lets_light_through(const Pigment& pigment) {
                      [](const ColorMapEntry& entry) { return lets_light_through(entry.color); });
 }
 
+bool goes_by_uv(const Pigment& pigment) {
+  const PigmentPattern& pattern = pigment.pattern;
+  const auto goes = [](const MapEntry<Pigment>& entry) { return goes_by_uv(entry.value); };
+  return goes_by_uv(static_cast<const Patterning&>(pattern)) ||
+         (pattern.pigments && std::ranges::any_of(pattern.pigments->entries, goes));
+}
+
+bool goes_by_uv(const Patterning& patterning) {
+  if (patterning.kind == PatternKind::uv_mapping) return true;
+  const auto* parameters = std::get_if<PigmentParameters>(&patterning.parameters);
+  return parameters != nullptr && parameters->pigment && goes_by_uv(*parameters->pigment);
+}
+
 void gather(const Pigment& pigment, FeatureUses& uses) {
   if (!is_patterned(pigment.pattern->kind)) return;
   gather(*pigment.pattern, uses);

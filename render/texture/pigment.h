@@ -43,6 +43,8 @@ const ColorMap& map_of(const Pigment& pigment);
 /// Whether the pigment lets light through anywhere.
 bool lets_light_through(const Pigment& pigment);
 
+/// Whether any part of it goes by a surface's own coordinates.
+bool goes_by_uv(const Pigment& pigment);
 /// Adds what the pigment asks for that cannot be rendered.
 void gather(const Pigment& pigment, FeatureUses& uses);
 

@@ -60,11 +60,11 @@ void complete_normals(HitBlock& block) {
 void Stepper::meet(const RayTask& task, const Ray& ray, const Hit& hit, Contribution& sum) {
   const Part& part = context_.scene.parts[hit.part];
   const Vec3 point = ray.at(hit.depth);
-  Vec3 normal = hit.shape->normal(point, {hit.depth, hit.shape, hit.part, hit.face});
+  const Crossing crossing = hit.crossing();
+  Vec3 normal = hit.shape->normal(point, crossing);
   const bool from_inside = normal.dot(ray.direction) > 0.0;
   if (from_inside) normal = -normal;
-  const std::uint32_t texture = from_inside && part.interior_texture != kNoIndex ? part.interior_texture : part.texture;
-  if (texture == kNoIndex) return;
+  if (part.texture == kNoIndex && !part.has_shape_textures && !(from_inside && part.interior_texture != kNoIndex)) return;
 
   const bool continued = (task.flags & RayTask::kContinued) != 0;
   HitBlock& block = *block_;
@@ -78,15 +78,21 @@ void Stepper::meet(const RayTask& task, const Ray& ray, const Hit& hit, Contribu
   surface.task = &task;
   surface.part = &part;
   surface.sum = &sum;
+  surface.crossing = crossing;
   surface.depth = hit.depth;
   surface.level = task.level + (continued ? 0 : 1);
   surface.layer_count = 0;
   surface.own_light = Rgb(0.0f);
   surface.open_record = kNoRecord;
+  for_each_texture(part, point, crossing, from_inside,
+                   [&](std::uint32_t texture, double share) { wear(i, texture, share); });
+}
+
+void Stepper::wear(std::size_t hit, std::uint32_t texture, double share) {
   if (const Coat* coat = table_->even_coat(texture)) {
-    put_on(i, *coat, 1.0, {}, 0);
+    put_on(hit, *coat, share, {}, 0);
   } else {
-    uneven_.push_back({texture, static_cast<std::uint8_t>(i)});
+    uneven_.push_back({texture, static_cast<std::uint8_t>(hit), share});
   }
 }
 
@@ -99,8 +105,9 @@ void Stepper::meet_uneven() {
   points->on_surface = true;
   for (std::size_t first = 0; first < uneven_.size();) {
     const std::uint32_t texture = uneven_[first].texture;
+    const bool asks_uv = table_->goes_by_uv(texture);
     std::size_t end = first;
-    for (; end < uneven_.size() && uneven_[end].texture == texture; ++end) {
+    for (; end < uneven_.size() && end - first < kRaysAtOnce && uneven_[end].texture == texture; ++end) {
       const std::size_t k = end - first;
       const std::size_t hit = uneven_[end].hit;
       points->at.set(k, block.point.vector(hit));
@@ -109,6 +116,12 @@ void Stepper::meet_uneven() {
       points->direction.set(k, block.direction.vector(hit));
       points->u[k] = 0.0;
       points->v[k] = 0.0;
+      const Surface& surface = surfaces_[hit];
+      if (!asks_uv && !surface.part->uv_mapping) continue;
+      const Vec2 uv = surface.crossing.shape->uv(block.point.vector(hit), surface.crossing);
+      points->u[k] = uv.x;
+      points->v[k] = uv.y;
+      if (surface.part->uv_mapping) points->at.set(k, Vec3(uv.x, uv.y, 0.0));
     }
     points->size = end - first;
     coats_.clear();
@@ -118,7 +131,8 @@ void Stepper::meet_uneven() {
       if (looks_.size() < layers.size()) looks_.resize(layers.size());
       for (std::size_t k = 0; k < layers.size(); ++k) table_->look(layers[k], *coat, looks_[k]);
       for (std::size_t k = 0; k < coat->points.size; ++k) {
-        put_on(uneven_[first + coat->lane[k]].hit, *coat->coat, coat->share[k], looks_, k);
+        const Uneven& uneven = uneven_[first + coat->lane[k]];
+        put_on(uneven.hit, *coat->coat, coat->share[k] * uneven.share, looks_, k);
       }
     }
     first = end;

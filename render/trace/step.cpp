@@ -129,8 +129,8 @@ void Stepper::step_radiance(std::span<const RayTask> tasks, std::span<const Ray>
       light[i].light = FixedRgb::from(task.weight() * context_.scene.settings.background);
       continue;
     }
-    const std::uint32_t texture = context_.scene.parts[hits_[i].part].texture;
-    const bool is_glossy = texture != kNoIndex && table_->is_glossy(texture);
+    const Part& part = context_.scene.parts[hits_[i].part];
+    const bool is_glossy = part.has_shape_textures || (part.texture != kNoIndex && table_->is_glossy(part.texture));
     order[is_glossy ? --glossy : matt++] = static_cast<std::uint8_t>(i);
   }
   const auto meet_all = [&](std::size_t first, std::size_t end) {
@@ -190,6 +190,38 @@ FixedRgb Stepper::lost_light(const RayTask& task, std::size_t feeler) const {
   return FixedRgb::from(PackedRgb::from_bits(feelers_->at_stake[feeler]).unpack() * (passed - Rgb(1.0f)));
 }
 
+bool Stepper::filter_light(const Hit& hit, const Ray& ray, Rgb& light) const {
+  const Part& part = context_.scene.parts[hit.part];
+  const Vec3 point = ray.at(hit.depth);
+  const Crossing crossing = hit.crossing();
+  const bool from_inside =
+      part.interior_texture != kNoIndex && hit.shape->normal(point, crossing).dot(ray.direction) > 0.0;
+  bool found = part.has_shape_textures;
+  Rgb sum(0.0f);
+  for_each_texture(part, point, crossing, from_inside, [&](std::uint32_t texture, double share) {
+    found = true;
+    asked_->size = 1;
+    asked_->at.set(0, point);
+    asked_->direction.set(0, ray.direction);
+    asked_->on_surface = part.uv_mapping || table_->goes_by_uv(texture);
+    if (asked_->on_surface) {
+      const Vec3 normal = hit.shape->normal(point, crossing);
+      asked_->normal.set(0, normal.dot(ray.direction) > 0.0 ? -normal : normal);
+      asked_->tilted.set(0, asked_->normal.vector(0));
+      const Vec2 uv = hit.shape->uv(point, crossing);
+      asked_->u[0] = uv.x;
+      asked_->v[0] = uv.y;
+      if (part.uv_mapping) asked_->at.set(0, Vec3(uv.x, uv.y, 0.0));
+    }
+    if (!part.has_shape_textures) return table_->filter(texture, *asked_, {&light, 1});
+    Rgb tint(1.0f);
+    table_->filter(texture, *asked_, {&tint, 1});
+    sum += tint * static_cast<float>(share);
+  });
+  if (part.has_shape_textures) light *= sum;
+  return found;
+}
+
 Rgb Stepper::passing_light(std::uint32_t medium, Ray ray, double distance) const {
   const Scene& scene = context_.scene;
   MediumTable& media = context_.media;
@@ -202,16 +234,7 @@ Rgb Stepper::passing_light(std::uint32_t medium, Ray ray, double distance) const
     const Part& part = scene.parts[hit.part];
     if (part.opaque) return Rgb(0.0f);  // was nearer than the gap to the origin before the ray moved on
     const Vec3 point = ray.at(hit.depth);
-    std::uint32_t texture = part.texture;
-    if (part.interior_texture != kNoIndex) {
-      const Vec3 normal = hit.shape->normal(point, {hit.depth, hit.shape, hit.part, hit.face});
-      if (normal.dot(ray.direction) > 0.0) texture = part.interior_texture;
-    }
-    if (texture != kNoIndex) {
-      asked_->size = 1;
-      asked_->at.set(0, point);
-      asked_->direction.set(0, ray.direction);
-      table_->filter(texture, *asked_, {&passed, 1});
+    if (filter_light(hit, ray, passed)) {
       const Interior& interior = scene.interiors[part.interior];
       if (interior.fade_power > 0.0 && std::abs(interior.fade_distance) > kNegligible &&
           media.contains(medium, part.interior)) {

@@ -78,6 +78,7 @@ class Stepper {
     const RayTask* task;
     const Part* part;
     Contribution* sum;  ///< of the task
+    Crossing crossing;
     double depth;
     int level;                ///< of everything spawned here
     std::size_t layer_count;  ///< in the HitBlock's columns
@@ -99,6 +100,7 @@ class Stepper {
   struct Uneven {
     std::uint32_t texture;
     std::uint8_t hit;
+    double share;  ///< of how the hit looks
   };
   static constexpr std::size_t kNoRecord = ~std::size_t{0};
 
@@ -116,6 +118,26 @@ class Stepper {
 
   /// Adds the hit to block_ and surfaces_, unless it takes the light and gives none.
   void meet(const RayTask& task, const Ray& ray, const Hit& hit, Contribution& sum);
+  /// One texture of a hit, and its share of how the hit looks.
+  void wear(std::size_t hit, std::uint32_t texture, double share);
+  /// Calls visit(texture, share) for the textures that are seen at a hit.
+  template <class Visit>
+  void for_each_texture(const Part& part, const Vec3& point, const Crossing& crossing, bool from_inside,
+                        const Visit& visit) const {
+    if (from_inside && part.interior_texture != kNoIndex) return visit(part.interior_texture, 1.0);
+    if (!part.has_shape_textures) {
+      if (part.texture != kNoIndex) visit(part.texture, 1.0);
+      return;
+    }
+    shares_.clear();
+    crossing.shape->textures(point, crossing, shares_);
+    for (const TextureShare& share : shares_) {
+      const std::uint32_t texture = share.texture == kObjectTexture
+                                        ? part.texture
+                                        : context_.scene.shape_textures[part.shape_textures + share.texture];
+      if (texture != kNoIndex && !(share.weight < context_.scene.settings.adc_bailout)) visit(texture, share.weight);
+    }
+  }
   /// Asks textures that differ from point to point, each for all of its hits.
   void meet_uneven();
   /// Lays a coat on a hit. `looks`: of its layers, at point `lane`; null: it is even.
@@ -142,6 +164,8 @@ class Stepper {
   /// Adds weight * colour(root) ^ exponent: not a sum over rays, so the subtree is evaluated here, depth first.
   void add_sealed(const Surface& surface, RayTask root, double exponent);
   Rgb trace_sealed(const RayTask& root);
+  /// Multiplies light by what passes where a feeler meets a surface. False: there is no texture.
+  bool filter_light(const Hit& hit, const Ray& ray, Rgb& light) const;
   /// Share of the light that passes all that is between the feeler's origin and `distance`.
   Rgb passing_light(std::uint32_t medium, Ray ray, double distance) const;
 
@@ -157,6 +181,7 @@ class Stepper {
   std::vector<Mirror> mirrors_;
   std::vector<Coating> coatings_;
   std::vector<Uneven> uneven_;
+  mutable std::vector<TextureShare> shares_;
   std::vector<std::unique_ptr<CoatPoints>> coats_;
   std::vector<LayerLook> looks_;
   std::unique_ptr<HitBlock> block_;

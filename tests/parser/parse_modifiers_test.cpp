@@ -36,7 +36,7 @@ TEST(ParseModifiers, WordsOfSomeShapesAreRefusedElsewhere) {
 TEST(ParseModifiers, UvMappingStandsBeforeTheTexture) {
   const render::Object object = object_of("sphere { 0, 1 uv_mapping pigment { color rgb 1 } }");
   EXPECT_TRUE(object.uv_mapping);
-  EXPECT_EQ(spelled(object.extras->unrendered), "uv_mapping");
+  EXPECT_EQ(spelled(object.extras->unrendered), "");
   EXPECT_NE(parsed_object("sphere { 0, 1 pigment { color rgb 1 } uv_mapping }").errors.find("before the texture"),
             std::string::npos);
 }
