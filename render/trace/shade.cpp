@@ -57,7 +57,7 @@ void complete_normals(HitBlock& block) {
 
 }  // namespace
 
-void Stepper::meet(const RayTask& task, const Ray& ray, const Hit& hit, Contribution& sum) {
+void Stepper::meet(const RayTask& task, const Ray& ray, const Hit& hit, const Rgb& weight, Contribution& sum) {
   const Part& part = context_.scene.parts[hit.part];
   const Vec3 point = ray.at(hit.depth);
   Vec3 normal = hit.shape->normal(point, {hit.depth, hit.shape, hit.part, hit.face});
@@ -78,6 +78,7 @@ void Stepper::meet(const RayTask& task, const Ray& ray, const Hit& hit, Contribu
   surface.task = &task;
   surface.part = &part;
   surface.sum = &sum;
+  surface.weight = weight;
   surface.depth = hit.depth;
   surface.level = task.level + (continued ? 0 : 1);
   surface.layer_count = 0;
@@ -132,7 +133,7 @@ void Stepper::put_on(std::size_t hit, const Coat& coat, double of_texture, std::
   const double bailout = context_.scene.settings.adc_bailout;
   Coating coating;
   coating.hit = hit;
-  coating.weight = surface.task->weight();
+  coating.weight = surface.weight;
   if (of_texture != 1.0) coating.weight *= static_cast<float>(of_texture);
   coating.is_tilted = false;
   coating.normal = Vec3(0.0);
