@@ -52,7 +52,7 @@ bool accept_fog_item(Reader& reader, Fog& fog) {
   } else if (reader.accept(Keyword::fog_type)) {
     fog.type = integer(reader, "fog_type");
     if (fog.type < Fog::kConstant || fog.type > Fog::kGround) {
-      reader.warn(word, "'fog_type' must be 1 or 2; such a fog does not show");
+      reader.warn(word, "'fog_type' must be 1 or 2; any other is taken for 1");
     }
   } else if (reader.accept(Keyword::fog_alt)) {
     fog.altitude = finite_number(reader, "fog_alt");
@@ -153,7 +153,14 @@ Rainbow parse_rainbow(Reader& reader, const Token& word) {
   reader.open_block(word);
   RainbowDraft draft;
   Rainbow& rainbow = draft.rainbow;
-  if (const auto declared = reader.accept_declared<Rainbow>()) rainbow = *declared;
+  if (const auto declared = reader.accept_declared<Rainbow>()) {
+    rainbow = *declared;
+    // POV-Ray 3.7 turns the angles of the middle and of the width into those of the inner border and of the width in
+    // radians at the end of every block, and so twice for a rainbow that was declared.
+    constexpr double kRadian = std::numbers::pi / 180.0;
+    rainbow.angle = (rainbow.angle - 0.5 * rainbow.width) * kRadian;
+    rainbow.width *= kRadian;
+  }
   while (accept_rainbow_item(reader, draft)) {
   }
   reader.close_block();

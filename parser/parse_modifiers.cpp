@@ -42,7 +42,7 @@ bool accept_flag(Reader& reader, Object& object) {
   } else if (reader.accept(Keyword::no_reflection)) {
     object.no_reflection = reader.optional_flag();
   } else if (reader.accept(Keyword::hollow)) {
-    object.hollow = reader.optional_flag();
+    object.hollow = reader.optional_flag() ? Object::Hollow::yes : Object::Hollow::no;
   } else if (reader.accept(Keyword::double_illuminate)) {
     object.double_illuminate = reader.optional_flag();
   } else if (reader.accept(Keyword::no_radiosity)) {

@@ -63,11 +63,13 @@ struct ObjectExtras {
 /// Memory   Unions hold their parts by the hundred thousand, so what few objects have is apart from them.
 struct Object {
   enum class Kind : std::uint8_t { shape, light, union_, intersection, merge };
+  /// Whether what surrounds the object is in it too.
+  enum class Hollow : std::uint8_t { inherited, no, yes };
 
   Kind kind = Kind::shape;
   bool inverted = false;
   bool turned = false;  ///< it has been inverted, if only to be inverted back: then it is no union but a merge
-  bool hollow = false;
+  Hollow hollow = Hollow::inherited;
   bool no_shadow = false;
   bool no_image = false;
   bool no_reflection = false;

@@ -35,6 +35,7 @@ struct Inherited {
   bool turned = false;  ///< inverted once at least
   bool double_illuminate = false;
   bool uv_mapping = false;  ///< of the textures
+  bool hollow = false;
   Moves moves;  ///< of the dissolved unions around, one after another, for extent()
 };
 
@@ -155,6 +156,11 @@ Inherited SceneBuilder::State::at_node(const Object& object, const Inherited& pa
     scene->interiors.push_back(air());
   }
   if (node.texture != kNoIndex) promote_finish(node.texture, node.interior);
+  // The last of those that share an interior has its way. [POV-Ray 3.7]
+  if (object.hollow != Object::Hollow::inherited) node.hollow = object.hollow == Object::Hollow::yes;
+  if (scene->interiors[node.interior]->hollow != node.hollow) {
+    scene->interiors[node.interior].change().hollow = node.hollow;
+  }
   node.hidden_from |= hidden_bits(object);
   if (!extras.names.empty()) node.names = objects.within(parent.names, extras.names);
   node.inverted = parent.inverted != object.inverted;

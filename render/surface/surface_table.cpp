@@ -17,6 +17,7 @@ bool is_patterned(const TextureLayer& layer) { return is_patterned(layer.pigment
 SurfaceTable::SurfaceTable(const Scene& scene)
     : scene_(&scene),
       world_{scene.settings.noise_generator, scene.settings.number_of_waves},
+      sky_(scene, world_),
       old_opacity_(scene.settings.language_version < 370),
       ambient_light_(scene.settings.ambient_light) {
   layers_.reserve(scene.textures.size());

@@ -4,6 +4,7 @@
 #include "render/scene/scene.h"
 #include "render/surface/compiled_normal.h"
 #include "render/surface/compiled_pigment.h"
+#include "render/surface/sky.h"
 
 #include <cstddef>
 #include <cstdint>
@@ -83,6 +84,9 @@ class SurfaceTable {
   /// Pre: `scene` outlives this, unchanged.
   explicit SurfaceTable(const Scene& scene);
 
+  /// What is around all surfaces.
+  const Sky& sky() const { return sky_; }
+
   /// The texture's one coat if it is even, else null. `texture`: index into Scene::textures.
   const Coat* even_coat(std::uint32_t texture) const { return even_[texture]; }
   /// Whether any layer has highlights.
@@ -126,6 +130,7 @@ class SurfaceTable {
 
   const Scene* scene_;
   PatternWorld world_;
+  Sky sky_;
   bool old_opacity_ = false;
   Rgb ambient_light_;
   std::vector<SurfaceLayer> layers_;

@@ -18,6 +18,7 @@ struct Interior {
   double caustics = 0.0;
   double dispersion = 1.0;  ///< index for violet over index for red
   int dispersion_samples = 7;
+  bool hollow = false;  ///< fog and other media of the surroundings are in it too
   std::vector<Media> media = {};
   double refraction_scale =
       1.0;                      ///< the old `refraction` factor on light that passes; 1 unless a legacy finish sets it

@@ -26,22 +26,24 @@ RadianceBound::RadianceBound(const Scene& scene) {
   most_.assign(static_cast<std::size_t>(std::max(levels, 256)), 0.0f);
   double next = 0.0;
   for (int level = levels - 1; level >= 0 && !Interrupt::asked(); --level) {
-    double most = std::max(next, limits.background);
+    double most = std::max(next, limits.veil.over(limits.background));
     const auto include = [&](double light) {
       known_ = known_ && light <= kLargest;  // false for what is not a number, too
       most = std::max(most, light <= kLargest ? light : kLargest);
     };
     for (const SurfaceAnswer& answer : limits.answers) {
       if (level == levels - 1) {  // no rays are sent on
-        include(answer.own);
+        include(limits.veil.over(answer.own));
         continue;
       }
-      const double near = answer.from_this_side(next);
-      include(near + answer.bent * next);
-      if (answer.straight == 0.0 || (near == 0.0 && answer.straight <= 1.0)) continue;
+      const double on_this_side = answer.from_this_side(next);
+      include(limits.veil.over(on_this_side + answer.bent * next));
+      const double near = limits.veil.kept * on_this_side + limits.veil.added;
+      const double straight = limits.veil.kept * answer.straight;
+      if (answer.straight == 0.0 || (near == 0.0 && straight <= 1.0)) continue;
       // A ray goes straight on without rising in level, so that most = near + straight * most.
-      const double row = 1.0 / (1.0 - answer.straight);
-      const bool is_bounded = answer.straight < 1.0 && row <= kLongestRow;
+      const double row = 1.0 / (1.0 - straight);
+      const bool is_bounded = straight < 1.0 && row <= kLongestRow;
       known_ = known_ && is_bounded;
       include(near * (is_bounded ? row : kUsualRow));
     }

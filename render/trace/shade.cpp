@@ -57,7 +57,7 @@ void complete_normals(HitBlock& block) {
 
 }  // namespace
 
-void Stepper::meet(const RayTask& task, const Ray& ray, const Hit& hit, Contribution& sum) {
+void Stepper::meet(const RayTask& task, const Ray& ray, const Hit& hit, const Rgb& weight, Contribution& sum) {
   const Part& part = context_.scene.parts[hit.part];
   const Vec3 point = ray.at(hit.depth);
   const Crossing crossing = hit.crossing();
@@ -79,6 +79,7 @@ void Stepper::meet(const RayTask& task, const Ray& ray, const Hit& hit, Contribu
   surface.part = &part;
   surface.sum = &sum;
   surface.crossing = crossing;
+  surface.weight = weight;
   surface.depth = hit.depth;
   surface.level = task.level + (continued ? 0 : 1);
   surface.layer_count = 0;
@@ -146,7 +147,7 @@ void Stepper::put_on(std::size_t hit, const Coat& coat, double of_texture, std::
   const double bailout = context_.scene.settings.adc_bailout;
   Coating& coating = coatings_.emplace_back();
   coating.hit = hit;
-  coating.weight = surface.task->weight();
+  coating.weight = surface.weight;
   if (of_texture != 1.0) coating.weight *= static_cast<float>(of_texture);
   coating.first_mirror = mirrors_.size();
   double share = 1.0;

@@ -45,6 +45,7 @@ bool is_worth_tracing(const Settings& settings, const RayTask& task) {
 Stepper::Stepper(const TraceContext& context, std::shared_ptr<const SurfaceTable> surfaces)
     : context_(context),
       table_(std::move(surfaces)),
+      veils_of_scene_(context.scene),
       bound_(context.scene),
       has_transparent_casters_(std::any_of(context.scene.parts.begin(), context.scene.parts.end(),
                                            [](const Part& part) { return !part.opaque; })),
@@ -125,18 +126,18 @@ void Stepper::step_radiance(std::span<const RayTask> tasks, std::span<const Ray>
   for (std::size_t i = 0; i < tasks.size(); ++i) {
     const RayTask& task = tasks[i];
     light[i] = {task.sample, {}, -bound_.at_stake(task)};
-    if (hits_[i].part == kNoIndex) {
-      light[i].light = FixedRgb::from(task.weight() * context_.scene.settings.background);
-      continue;
-    }
+    if (hits_[i].part == kNoIndex) continue;
     const Part& part = context_.scene.parts[hits_[i].part];
     const bool is_glossy = part.has_shape_textures || (part.texture != kNoIndex && table_->is_glossy(part.texture));
     order[is_glossy ? --glossy : matt++] = static_cast<std::uint8_t>(i);
   }
+  see_surroundings(tasks, light);
+  const bool is_veiled = !veils_of_scene_.empty();
   const auto meet_all = [&](std::size_t first, std::size_t end) {
     for (std::size_t k = first; k < end; ++k) {
       const std::size_t i = order[k];
-      meet(tasks[i], {tasks[i].origin, block.direction.vector(i)}, hits_[i], light[i]);
+      const Rgb weight = is_veiled ? tasks[i].weight() * veils_[i].kept : tasks[i].weight();
+      meet(tasks[i], {tasks[i].origin, block.direction.vector(i)}, hits_[i], weight, light[i]);
     }
   };
   meet_all(0, matt);

@@ -3,11 +3,13 @@
 #include "render/accel/accel.h"
 #include "render/math/fixed_rgb.h"
 #include "render/scene/scene.h"
+#include "render/surface/sky.h"
 #include "render/surface/surface_table.h"
 #include "render/trace/hit_block.h"
 #include "render/trace/medium_table.h"
 #include "render/trace/radiance_bound.h"
 #include "render/trace/ray_task.h"
+#include "render/trace/veil.h"
 
 #include <array>
 #include <cstdint>
@@ -79,6 +81,7 @@ class Stepper {
     const Part* part;
     Contribution* sum;  ///< of the task
     Crossing crossing;
+    Rgb weight;         ///< of the task, less what the way to the surface takes
     double depth;
     int level;                ///< of everything spawned here
     std::size_t layer_count;  ///< in the HitBlock's columns
@@ -110,6 +113,10 @@ class Stepper {
   void step_radiance(std::span<const RayTask> tasks, std::span<const Ray> rays, std::span<Contribution> light);
   void step_shadow(std::span<const RayTask> tasks, std::span<Contribution> light);
 
+  /// Adds what the rays of rays_ see of their surroundings: what lies along the way to hits_ and the sky behind. Sets
+  /// veils_.
+  void see_surroundings(std::span<const RayTask> tasks, std::span<Contribution> light);
+
   /// What the feelers of a record change, from number `feeler` of the block on; `blocked` are the bits of those that
   /// something opaque blocks.
   void take_back(const RayTask& task, std::size_t& feeler, std::uint64_t blocked, Contribution& light) const;
@@ -117,7 +124,7 @@ class Stepper {
   FixedRgb lost_light(const RayTask& task, std::size_t feeler) const;
 
   /// Adds the hit to block_ and surfaces_, unless it takes the light and gives none.
-  void meet(const RayTask& task, const Ray& ray, const Hit& hit, Contribution& sum);
+  void meet(const RayTask& task, const Ray& ray, const Hit& hit, const Rgb& weight, Contribution& sum);
   /// One texture of a hit, and its share of how the hit looks.
   void wear(std::size_t hit, std::uint32_t texture, double share);
   /// Calls visit(texture, share) for the textures that are seen at a hit.
@@ -171,12 +178,14 @@ class Stepper {
 
   TraceContext context_;
   std::shared_ptr<const SurfaceTable> table_;
+  Veils veils_of_scene_;
   RadianceBound bound_;
   bool has_transparent_casters_ = false;
   std::vector<LightPlace> light_places_;
   std::unique_ptr<RayBlock> rays_;
   Column<std::int64_t> packed_directions_;
   std::array<Hit, kRaysAtOnce> hits_;
+  std::array<Veil, kRaysAtOnce> veils_;        ///< of each ray, where the scene has any
   std::array<Surface, kRaysAtOnce> surfaces_;  ///< block_->size of them
   std::vector<Mirror> mirrors_;
   std::vector<Coating> coatings_;

@@ -1,5 +1,8 @@
 #include "render/trace/surface_limits.h"
 
+#include "render/trace/pigment_limits.h"
+#include "render/trace/surroundings_limits.h"
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -10,127 +13,12 @@
 namespace firstlight::render {
 namespace {
 
-using Channels = std::array<double, 3>;
-
 constexpr double kNegligible = 1e-10;
-/// Colours between two entries of a map are rounded to single precision.
-constexpr double kBlendError = 1e-6;
 
-Channels channels_of(const Rgb& color) { return {color.x, color.y, color.z}; }
-double largest(const Rgb& color) { return static_cast<double>(max_magnitude(color)); }
 /// Of terms that have no largest value: how many times what they usually are at most is allowed for. An estimate.
 constexpr double kUsualExcess = 4.0;
 
 double largest(const Channels& c) { return std::max({std::abs(c[0]), std::abs(c[1]), std::abs(c[2])}); }
-
-struct Range {
-  double low = INFINITY;
-  double high = -INFINITY;
-
-  void include(double value) {
-    low = std::min(low, value);
-    high = std::max(high, value);
-  }
-  double size() const { return std::max(std::abs(low), std::abs(high)); }
-};
-
-/// begin + slope t.
-struct Line {
-  double begin = 0.0;
-  double slope = 0.0;
-};
-
-/// Values of a(t) b(t) + c(t) for t in [0, 1]: at the ends, or where the parabola turns.
-void include_product(Range& range, const Line& a, const Line& b, const Line& c) {
-  const auto value = [&](double t) {
-    return (a.begin + a.slope * t) * (b.begin + b.slope * t) + c.begin + c.slope * t;
-  };
-  range.include(value(0.0));
-  range.include(value(1.0));
-  const double square = a.slope * b.slope;
-  const double turn = -(a.begin * b.slope + a.slope * b.begin + c.slope) / (2.0 * square);
-  if (square != 0.0 && turn > 0.0 && turn < 1.0) range.include(value(turn));
-}
-
-/// All that a pigment can be anywhere, channel by channel.
-struct PigmentLimits {
-  std::array<Range, 3> color;
-  std::array<Range, 3> passed;  ///< tint of the light that goes through
-  Channels body{};              ///< most of colour times opacity: what its own and its diffuse light are multiplied by
-
-  PigmentLimits(const Pigment& pigment, int language_version) : old_opacity_(language_version < 370) {
-    if (!is_patterned(pigment.pattern->kind)) {
-      include(pigment.color, pigment.color, 0.0);
-    } else {
-      if (pigment.pattern->pigments) {
-        for (const MapEntry<Pigment>& entry : pigment.pattern->pigments->entries) include_all(entry.value);
-        return;
-      }
-      const ColorMap& map = map_of(pigment);
-      for (const ColorMapEntry& entry : map) include(entry.color, entry.color, 0.0);
-      const Wave& wave = pigment.pattern->wave;  // a list's places are whole numbers, unless a wave moves them
-      const bool blends = !is_list(pigment.pattern->kind) || wave.frequency != 0.0 || wave.form != WaveForm::ramp;
-      for (std::size_t i = 1; blends && i < map.size(); ++i) {
-        include(map[i - 1].color, map[i].color, kBlendError);
-      }
-    }
-    if (old_opacity_) {
-      for (std::size_t i = 0; i < 3; ++i) body[i] = color[i].size() * old_opacity_most_;
-    }
-  }
-
-  double most_passed() const { return std::max({passed[0].size(), passed[1].size(), passed[2].size()}); }
-  bool has_negative_color() const { return std::min({color[0].low, color[1].low, color[2].low}) < 0.0; }
-  /// Whether what it shows of light that is not negative may be.
-  bool may_turn_negative() const {
-    return has_negative_color() || least_opacity_ < 0.0 ||
-           std::min({passed[0].low, passed[1].low, passed[2].low}) < 0.0;
-  }
-  /// Whether it can only take light away from what goes through.
-  bool only_takes() const {
-    return std::ranges::all_of(
-        passed, [](const Range& range) { return range.low >= -kBlendError && range.high <= 1.0 + kBlendError; });
-  }
-
- private:
-  void include_all(const Pigment& part) {
-    const PigmentLimits limits(part, old_opacity_ ? 360 : 370);
-    for (std::size_t i = 0; i < 3; ++i) {
-      color[i].include(limits.color[i].low);
-      color[i].include(limits.color[i].high);
-      passed[i].include(limits.passed[i].low);
-      passed[i].include(limits.passed[i].high);
-      body[i] = std::max(body[i], limits.body[i]);
-    }
-  }
-  void include(const FilteredColor& from, const FilteredColor& to, double error) {
-    const auto line = [](float a, float b) { return Line{a, static_cast<double>(b) - static_cast<double>(a)}; };
-    const Line filter = line(from.filter, to.filter);
-    const Line transmit = line(from.transmit, to.transmit);
-    const Line opacity{1.0 - filter.begin - transmit.begin, -filter.slope - transmit.slope};
-    const Channels first = channels_of(from.rgb);
-    const Channels last = channels_of(to.rgb);
-    least_opacity_ = std::min({least_opacity_, opacity.begin, opacity.begin + opacity.slope});
-    for (std::size_t i = 0; i < 3; ++i) {
-      const Line tint{first[i], last[i] - first[i]};
-      color[i].include(first[i]);
-      color[i].include(last[i]);
-      Range through;
-      include_product(through, filter, tint, transmit);
-      passed[i].include(through.low);
-      passed[i].include(through.high);
-      // Before 3.7 opacity is 1 - passed of the strongest channel, whichever that is.
-      old_opacity_most_ = std::max({old_opacity_most_, std::abs(1.0 - through.low), std::abs(1.0 - through.high)});
-      Range own;
-      include_product(own, tint, opacity, {});
-      body[i] = std::max(body[i], own.size() + error * std::max(std::abs(first[i]), std::abs(last[i])));
-    }
-  }
-
-  bool old_opacity_;
-  double old_opacity_most_ = 0.0;
-  double least_opacity_ = 0.0;
-};
 
 bool is_negative(const Rgb& color) { return std::min({color.x, color.y, color.z}) < 0.0f; }
 
@@ -149,6 +37,7 @@ bool may_turn_negative(const TextureLayer& layer, int language_version) {
 bool may_be_negative(const Scene& scene) {
   const Settings& settings = scene.settings;
   return is_negative(settings.background) || is_negative(settings.ambient_light) ||
+         surroundings_may_be_negative(scene) ||
          std::ranges::any_of(scene.lights, [](const Light& light) { return is_negative(light.color); }) ||
          std::ranges::any_of(scene.interiors,
                              [](const Interior& interior) {
@@ -311,7 +200,7 @@ void Maker::add(const Texture& texture) {
   }
   answer.own = largest(own);
   need(only_takes || is_opaque(texture));  // a feeler may cross any number of surfaces
-  if (passed * most_kept * (1.0 + kBlendError) <= scene_.settings.adc_bailout) {  // no ray is sent through
+  if (passed * most_kept * (1.0 + PigmentLimits::kBlendError) <= scene_.settings.adc_bailout) {  // no ray is sent through
     limits_.answers.push_back(answer);
     return;
   }
@@ -340,7 +229,9 @@ double SurfaceAnswer::from_this_side(double incoming) const {
   return light;
 }
 
-SurfaceLimits::SurfaceLimits(const Scene& scene) : background(largest(scene.settings.background)) {
+SurfaceLimits::SurfaceLimits(const Scene& scene) {
+  background = sky_limit(scene, proven);
+  veil = veil_limits(scene, proven);
   Maker maker(scene, *this);
   std::unordered_set<const Texture*> seen;  // one texture may stand in many places
   for (const PlacedTexture& placed : scene.textures) {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "render/scene/scene.h"
+#include "render/trace/surroundings_limits.h"
 
 #include <vector>
 
@@ -37,7 +38,8 @@ struct SurfaceLimits {
   explicit SurfaceLimits(const Scene& scene);
 
   std::vector<SurfaceAnswer> answers;
-  double background = 0.0;
+  double background = 0.0;  ///< of rays that meet nothing, before veils
+  VeilLimits veil;
   /// False where a term has no largest value; it then counts with a usual one.
   bool proven = true;
 };

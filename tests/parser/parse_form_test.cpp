@@ -280,7 +280,7 @@ TEST(ParseForm, DescribedShapeTakesModifiersAsAnyObject) {
   const render::Object object =
       object_of("prism { 0, 1, 4, <0, 0>, <1, 0>, <0, 1>, <0, 0> rotate 90*x inverse hollow }");
   EXPECT_TRUE(object.inverted);
-  EXPECT_TRUE(object.hollow);
+  EXPECT_EQ(object.hollow, render::Object::Hollow::yes);
   EXPECT_EQ(object.word, "prism");
   EXPECT_EQ(spelled(object.extras->unrendered), "prism");
 }

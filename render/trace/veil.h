@@ -1,0 +1,62 @@
+#pragma once
+
+#include "render/math/transform.h"
+#include "render/scene/scene.h"
+#include "render/surface/compiled_pigment.h"
+#include "render/trace/medium_table.h"
+
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <vector>
+
+namespace firstlight::render {
+
+/// What lies along a ray, between its origin and what it meets: light becomes kept * light + added.
+struct Veil {
+  Rgb kept{1.0f, 1.0f, 1.0f};
+  Rgb added{0.0f, 0.0f, 0.0f};
+};
+
+/// The fogs and rainbows of a scene.
+///
+/// Source   POV-Ray 3.7 manual, "Fog" and "Rainbow": rainbows are behind fogs; where several fogs lie over each other, their
+///          shares multiply, and what they add is not dimmed by the others; of several rainbows the mean shows.
+/// Threads  Immutable.
+class Veils {
+ public:
+  /// Pre: `scene` outlives this, unchanged.
+  explicit Veils(const Scene& scene);
+
+  bool empty() const { return fogs_.empty() && bows_.empty(); }
+  /// From the origin of the ray, whose direction has unit length, to `depth`.
+  Veil across(const Ray& ray, double depth) const;
+
+ private:
+  struct Bow {
+    const Rainbow* source;
+    Vec3 right;
+    double inner;  ///< radians, from the direction
+    double width;  ///< radians
+    double fading;  ///< radians on which the ends of the arc fade
+    std::unique_ptr<const Pigment> pigment;  ///< along x
+    std::unique_ptr<const CompiledPigment> colors;
+  };
+
+  void add_fogs(const Ray& ray, double depth, Veil& veil) const;
+  Veil bows(const Ray& ray, double depth) const;
+  /// The bow's own veil; nothing where it does not show. `number`: of the bow, for its jitter.
+  std::optional<Veil> bow(const Bow& bow, const Ray& ray, double depth, std::uint64_t number) const;
+
+  std::vector<const Fog*> fogs_;
+  std::vector<Bow> bows_;
+  int noise_generator_;
+};
+
+/// Depth of what is behind everything.
+constexpr double kSkyDepth = 2e10;
+
+/// Whether all that a ray in `medium` is inside of is hollow, so that the surroundings' fog is there.
+bool is_hollow(const Scene& scene, MediumTable& media, std::uint32_t medium);
+
+}  // namespace firstlight::render
