@@ -45,7 +45,7 @@ bool is_worth_tracing(const Settings& settings, const RayTask& task) {
 Stepper::Stepper(const TraceContext& context, std::shared_ptr<const SurfaceTable> surfaces)
     : context_(context),
       table_(std::move(surfaces)),
-      bound_(context.scene),
+      bound_(context.scene, context.camera()),
       has_transparent_casters_(std::any_of(context.scene.parts.begin(), context.scene.parts.end(),
                                            [](const Part& part) { return !part.opaque; })),
       rays_(std::make_unique<RayBlock>()),
