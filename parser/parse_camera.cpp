@@ -250,7 +250,7 @@ void note_features(const Token& word, const Draft& draft, Camera& camera) {
       camera.unrendered.add(feature_use(feature, own.is_end() ? word : own));
     }
   };
-  if (const auto feature = feature_of(camera.kind)) note(*feature, draft.kind_word);
+  note(render::feature_of(camera.kind), draft.kind_word);
   if (camera.normal) note(render::Feature::camera_normal, draft.normal_word);
   if (camera.normal) gather(*camera.normal, camera.unrendered);
   if (camera.blur.shows()) note(render::Feature::focal_blur, draft.aperture_word);

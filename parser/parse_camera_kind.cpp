@@ -10,7 +10,6 @@
 namespace firstlight::parser {
 
 using render::CameraKind;
-using render::Feature;
 using render::MeshCamera;
 using render::Object;
 
@@ -18,20 +17,14 @@ namespace {
 
 struct Row {
   Keyword word;
-  CameraKind kind;  ///< of a cylinder: that of type 1, the others follow
-  std::optional<Feature> feature;
+  CameraKind kind;
 };
 
+/// Of cylinders the first row counts, that of type 1; the others follow it.
 constexpr auto kRows = std::to_array<Row>({
-    {Keyword::perspective, CameraKind::perspective, std::nullopt},
-    {Keyword::orthographic, CameraKind::orthographic, Feature::camera_orthographic},
-    {Keyword::fisheye, CameraKind::fisheye, Feature::camera_fisheye},
-    {Keyword::ultra_wide_angle, CameraKind::ultra_wide_angle, Feature::camera_ultra_wide_angle},
-    {Keyword::omnimax, CameraKind::omnimax, Feature::camera_omnimax},
-    {Keyword::panoramic, CameraKind::panoramic, Feature::camera_panoramic},
-    {Keyword::cylinder, CameraKind::cylinder_1, Feature::camera_cylinder},
-    {Keyword::spherical, CameraKind::spherical, Feature::camera_spherical},
-    {Keyword::mesh_camera, CameraKind::mesh, Feature::camera_mesh},
+#define CAMERA(kind, word, maker) {Keyword::word, CameraKind::kind},
+#include "render/camera/cameras.def"
+#undef CAMERA
 });
 
 const Row* find_row(const Token& word) {
@@ -101,11 +94,5 @@ std::optional<CameraKind> accept_camera_kind(Reader& reader, SceneContext& conte
 }
 
 bool names_camera_kind(const Token& word) { return find_row(word) != nullptr; }
-
-std::optional<Feature> feature_of(CameraKind kind) {
-  const bool cylinder = kind >= CameraKind::cylinder_1 && kind <= CameraKind::cylinder_4;
-  const auto row = std::ranges::find(kRows, cylinder ? CameraKind::cylinder_1 : kind, &Row::kind);
-  return row == kRows.end() ? std::nullopt : row->feature;
-}
 
 }  // namespace firstlight::parser

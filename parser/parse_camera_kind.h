@@ -11,7 +11,5 @@ namespace firstlight::parser {
 /// If the next word names a kind of camera: takes it, with what belongs to it.
 std::optional<render::CameraKind> accept_camera_kind(Reader& reader, SceneContext& context, render::MeshCamera& mesh);
 bool names_camera_kind(const Token& word);
-/// What must be rendered to show such a camera's picture, beyond a perspective one.
-std::optional<render::Feature> feature_of(render::CameraKind kind);
 
 }  // namespace firstlight::parser

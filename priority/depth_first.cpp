@@ -55,6 +55,7 @@ void trace_recursively(Frame& frame, render::Stepper& stepper, RayQueue& queue, 
       frame.add(stepper.light(), stepper.counts(), tally);
       depth_first.run(stepper.spawned());
     }
+    frame.add_dark(batch.rays.dark, tally);
     frame.lit(batch);
   }
 }

@@ -26,7 +26,7 @@ class Distance final : public Scheme {
 }  // namespace
 
 SchemePtr make_distance(const SchemeInput& input, SchemeText*) {
-  return std::make_shared<Distance>(input.scene->camera.location);
+  return std::make_shared<Distance>(input.eye());
 }
 
 }  // namespace firstlight::priority

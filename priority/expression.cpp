@@ -66,7 +66,7 @@ constexpr Attribute kAttributes[] = {
     {"sample", [](const RayTask& t, const SchemeInput&, const Pixels&) -> double { return t.sample; }, true},
     {"object", [](const RayTask& t, const SchemeInput&, const Pixels&) -> double { return t.object; }},
     {"distance", [](const RayTask& t, const SchemeInput& input,
-                    const Pixels&) { return (t.origin - input.scene->camera.location).length(); }},
+                    const Pixels&) { return (t.origin - input.eye()).length(); }},
     {"light", [](const RayTask& t, const SchemeInput&,
                  const Pixels&) { return t.kind == RayKind::shadow ? static_cast<double>(t.first_light()) : -1.0; }},
     {"light_distance",

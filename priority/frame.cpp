@@ -38,7 +38,7 @@ Frame::Frame(const render::TraceContext& context, render::Film& film, const Trac
       surfaces_(std::make_shared<render::SurfaceTable>(context.scene)),
       film_(film),
       options_(options),
-      bound_(context.scene),
+      bound_(context.scene, context.camera()),
       primaries_(context, film,
                  options.scheme == nullptr ? render::PrimaryTiles::Order::square_by_square
                                            : render::PrimaryTiles::Order::coarse_to_fine,
@@ -63,6 +63,7 @@ bool Frame::paused() const { return options_.steering != nullptr && options_.ste
 void Frame::lit(const PrimaryOrder::Batch& batch) {
   if (!batch.is_tile) return;
   for (const render::RayTask& task : batch.rays.tasks) film_.mark_lit(task.sample);
+  for (const std::uint32_t sample : batch.rays.dark) film_.mark_lit(sample);
   const render::PrimaryTiles& tiles = primaries_.tiles();
   // Release and acquire: whoever sees the last tile sees the film with all primary light.
   const bool all_coarse =
@@ -86,6 +87,16 @@ void Frame::add(std::span<const render::Contribution> light, const render::RayCo
   film_.add(light);
   for (const render::Contribution& contribution : light) tally.change += contribution.outstanding;
   if (++tally.batches == kBatchesOfReport) report(counts, tally);
+}
+
+void Frame::add_dark(std::span<const std::uint32_t> samples, Tally& tally) {
+  if (samples.empty()) return;
+  const std::int64_t most = bound_.at_stake(primary_task());
+  std::vector<render::Contribution> nothing;
+  nothing.reserve(samples.size());
+  for (const std::uint32_t sample : samples) nothing.push_back({sample, {}, -most});
+  film_.add(nothing);
+  tally.change -= most * static_cast<std::int64_t>(samples.size());
 }
 
 void Frame::report(const render::RayCounts& counts, Tally& tally) {

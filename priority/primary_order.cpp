@@ -60,7 +60,7 @@ class TileSlots {
 
 PrimaryOrder::PrimaryOrder(const render::TraceContext& context, render::Film& film, render::PrimaryTiles::Order order,
                            const render::AntialiasSettings* antialias)
-    : rays_(context.scene, context.media, film.width(), film.height()),
+    : rays_(context.scene, context.media, {context.camera(), film.width(), film.height()}),
       tiles_(film.width(), film.height(), antialias != nullptr ? render::base_offset(*antialias) : kMiddleOfPixel,
              order) {
   if (antialias != nullptr) {
@@ -112,7 +112,10 @@ bool PrimaryOrder::next(std::size_t worker, Batch& batch) {
       points_ = points_.subspan(points.size());
       show_top_locked();
       batch.is_tile = batch.is_coarse = false;
-      for (const auto& point : points) rays_.append(point.x, point.y, point.sample, batch.rays);
+      std::vector<render::PrimaryPlace> places;
+      places.reserve(points.size());
+      for (const auto& point : points) places.push_back({point.x, point.y, point.sample});
+      rays_.append(places, batch.rays);
       return true;
     }
     tile = next->tiles[next->begun++].number;

@@ -22,6 +22,10 @@ struct SchemeInput {
   Compile compile = nullptr;  ///< empty: schemes with expressions are refused
   /// Knows which pixels the samples of anti-aliasing belong to; may be null.
   const render::Film* film = nullptr;
+  const render::Camera* other_camera = nullptr;  ///< that the scene is seen by instead of its own
+
+  /// Where the scene is seen from, more or less: the rays of some cameras begin at many places.
+  const render::Vec3& eye() const { return (other_camera != nullptr ? *other_camera : scene->camera).location; }
 };
 
 }  // namespace firstlight::priority

@@ -87,6 +87,7 @@ void Worker::trace_primaries() {
   stepper_.step_primary(primaries_.rays.tasks, primaries_.rays.rays);
   if (render::Interrupt::seen()) return;  // half a step is no part of the sum
   frame_.add(stepper_.light(), stepper_.counts(), tally_);
+  frame_.add_dark(primaries_.rays.dark, tally_);
   scheme_->learn(primaries_.rays.tasks, stepper_.light(), stepper_.spawned());
   frame_.lit(primaries_);
   keep_spawned(0);

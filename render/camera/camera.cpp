@@ -50,10 +50,4 @@ void place(Camera& camera, const Transform& transform) {
   camera.up = transform.direction(camera.up);
 }
 
-Ray primary_ray(const Camera& camera, double x, double y, int width, int height) {
-  const double across = x / width - 0.5;
-  const double upwards = (height - y) / height - 0.5;
-  return {camera.location, unit(camera.direction + camera.right * across + camera.up * upwards)};
-}
-
 }  // namespace firstlight::render

@@ -1,10 +1,10 @@
 #pragma once
 
+#include "render/camera/camera_kind.h"
 #include "render/feature/feature.h"
 #include "render/math/transform.h"
 #include "render/math/vec.h"
 
-#include <cstdint>
 #include <memory>
 #include <vector>
 
@@ -13,22 +13,6 @@ namespace firstlight::render {
 struct Normal;
 struct Object;
 struct Pigment;
-
-/// How points of the picture become directions. [POV-Ray 3.7 manual, "Types of Projection"]
-enum class CameraKind : std::uint8_t {
-  perspective,
-  orthographic,
-  fisheye,
-  ultra_wide_angle,
-  omnimax,
-  panoramic,
-  cylinder_1,  ///< vertical, fixed viewpoint
-  cylinder_2,  ///< horizontal, fixed viewpoint
-  cylinder_3,  ///< vertical, the viewpoint moves along the axis
-  cylinder_4,  ///< horizontal, the viewpoint moves along the axis
-  spherical,
-  mesh,
-};
 
 /// Depth of field. It shows with an aperture and samples.
 struct FocalBlur {
@@ -80,9 +64,5 @@ void set_angle(Camera& camera, double degrees);
 /// Of an orthographic camera: makes the picture plane as large as it looks at the distance of `look_at`.
 void widen_to_look_at(Camera& camera);
 void place(Camera& camera, const Transform& transform);
-
-/// The ray through picture coordinates of a perspective camera: (0, 0) is the upper left corner of the picture,
-/// (width, height) the lower right one; the middle of the first pixel is (0.5, 0.5). Unit direction.
-Ray primary_ray(const Camera& camera, double x, double y, int width, int height);
 
 }  // namespace firstlight::render

@@ -11,7 +11,7 @@ namespace firstlight::render {
 
 /// A sample beyond the first of its pixel.
 struct SamplePoint {
-  double x = 0.0;  ///< picture coordinates, as primary_ray() takes them; may lie a pixel outside of the picture
+  double x = 0.0;  ///< picture coordinates, as PicturePlaces::add() takes them; may lie a pixel outside of the picture
   double y = 0.0;
   std::uint32_t sample = 0;  ///< on the film
 };

@@ -25,6 +25,8 @@ struct Extent {
   /// Where rays meet it: as box(), without end where that has its coordinates at 1e10.
   Box3 reach() const;
   bool holds(const Vec3& point) const;
+  /// Whether it holds any point of the box, which is not empty.
+  bool meets(const Box3& points) const;
   float volume() const { return length[0] * length[1] * length[2]; }
   /// Whether it is kept out of the bounding hierarchy, as planes are.
   bool is_unbounded() const;

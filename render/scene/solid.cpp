@@ -302,6 +302,15 @@ bool Solid::holds_start(const Vec3& point) const {
   return (!structure_->extent || structure_->extent->holds(point)) && inside_unclipped(point);
 }
 
+bool Solid::may_hold_start(const Box3& points) const {
+  if (is_plain()) {
+    if (dynamic_cast<const Plane*>(shape.get()) != nullptr) return true;
+  } else if (!structure_->extent) {
+    return true;
+  }
+  return extent().meets(points);
+}
+
 /// Pre: not plain.
 bool Solid::inside_unclipped(const Vec3& point) const {
   switch (kind) {

@@ -74,6 +74,8 @@ class Solid {
   /// Whether a ray that begins at `point`, in space, begins in the solid.
   /// Source   POV-Ray 3.7: it asks the bounding box, and does not ask what clips the whole.
   bool holds_start(const Vec3& point) const;
+  /// False only where holds_start() is false at all points of the box.
+  bool may_hold_start(const Box3& points) const;
 
  private:
   struct Structure;

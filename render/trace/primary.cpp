@@ -1,32 +1,71 @@
 #include "render/trace/primary.h"
 
 #include "render/math/pixel_grid.h"
+#include "render/surface/compiled_normal.h"
 
 #include <algorithm>
+#include <array>
+#include <utility>
 
 namespace firstlight::render {
 
-std::uint32_t medium_at(const Scene& scene, MediumTable& media, const Vec3& point) {
-  std::uint32_t medium = MediumTable::kOutside;
-  for (const Solid& solid : scene.solids) {
-    if (!media.contains(medium, solid.matter) && solid.holds_start(point)) medium = media.entered(medium, solid.matter);
+PrimaryRays::PrimaryRays(const Scene& scene, MediumTable& media, const View& view)
+    : view_(view), projection_(make_projection(view.camera)), medium_(scene, media, projection_->origins()) {
+  if (view.camera.normal) {
+    const Settings& settings = scene.settings;
+    normal_ = std::make_unique<const CompiledNormal>(
+        *view.camera.normal, PatternWorld{settings.noise_generator, settings.number_of_waves}, /*keeps_length=*/false);
   }
-  return medium;
-}
-
-PrimaryRays::PrimaryRays(const Scene& scene, MediumTable& media, int width, int height)
-    : scene_(scene), width_(width), height_(height) {
-  unmade_.origin = scene.camera.location;
+  unmade_.origin = view.camera.location;
   unmade_.set_weight(Rgb(1.0f), 1.0f);
-  unmade_.medium = medium_at(scene, media, scene.camera.location);
+  unmade_.medium = medium_.of(unmade_.origin);
 }
 
-void PrimaryRays::append(double x, double y, std::uint32_t sample, PrimaryBatch& batch) const {
-  const Ray ray = primary_ray(scene_.camera, x, y, width_, height_);
-  RayTask& task = batch.tasks.emplace_back(unmade_);
-  task.origin = ray.origin;
-  task.sample = sample;
-  batch.rays.push_back(ray);
+PrimaryRays::~PrimaryRays() = default;
+
+void PrimaryRays::append(std::span<const PrimaryPlace> places, PrimaryBatch& batch) const {
+  for (std::size_t first = 0; first < places.size(); first += kRaysAtOnce) {
+    append_block(places.subspan(first, std::min(places.size() - first, kRaysAtOnce)), batch);
+  }
+}
+
+void PrimaryRays::append_block(std::span<const PrimaryPlace> places, PrimaryBatch& batch) const {
+  PicturePlaces in_picture;
+  for (const PrimaryPlace& place : places) in_picture.add(place.x, place.y, view_.width, view_.height);
+  CameraRays rays;
+  projection_->project(in_picture, rays);
+  if (normal_) tilt(places.size(), rays);
+  for (std::size_t i = 0; i < places.size(); ++i) {
+    if ((rays.missing >> i & 1u) != 0) {
+      batch.dark.push_back(places[i].sample);
+      continue;
+    }
+    const Ray& ray = batch.rays.emplace_back(rays.origin.vector(i), unit(rays.direction.vector(i)));
+    RayTask& task = batch.tasks.emplace_back(unmade_);
+    task.origin = ray.origin;
+    task.medium = medium_.of(ray.origin);
+    task.sample = places[i].sample;
+  }
+}
+
+// The pattern lies in the projection's own coordinates, at z = 0, and the directions are its normals. [POV-Ray 3.7]
+void PrimaryRays::tilt(std::size_t count, CameraRays& rays) const {
+  const auto points = std::make_unique_for_overwrite<SurfacePoints>();
+  points->on_surface = false;
+  points->size = count;
+  for (std::size_t i = 0; i < count; ++i) {
+    const bool missing = (rays.missing >> i & 1u) != 0;
+    if (missing) rays.direction.set(i, Vec3(0.0, 0.0, 1.0));
+    const Vec3 direction = unit(rays.direction.vector(i));
+    rays.direction.set(i, direction);
+    points->at.set(i, missing ? Vec3(0.0) : Vec3(rays.x[i], rays.y[i], 0.0));
+    points->normal.set(i, direction);
+    points->tilted.set(i, direction);
+    points->direction.set(i, direction);
+    points->u[i] = 0.0;
+    points->v[i] = 0.0;
+  }
+  normal_->tilt(*points, nullptr, rays.direction);
 }
 
 PrimaryTiles::PrimaryTiles(int width, int height, double offset, Order order)
@@ -71,8 +110,14 @@ void PrimaryTiles::for_each_pixel(std::uint32_t tile, const Visit& visit) const 
 }
 
 void PrimaryTiles::fill(std::uint32_t tile, const PrimaryRays& rays, PrimaryBatch& batch) const {
-  for_each_pixel(tile,
-                 [&](int x, int y, std::uint32_t sample) { rays.append(x + offset_, y + offset_, sample, batch); });
+  std::array<PrimaryPlace, kRaysAtOnce> places;
+  std::size_t count = 0;
+  const auto send = [&] { rays.append(std::span(places).first(std::exchange(count, 0)), batch); };
+  for_each_pixel(tile, [&](int x, int y, std::uint32_t sample) {
+    places[count++] = {x + offset_, y + offset_, sample};
+    if (count == places.size()) send();
+  });
+  send();
 }
 
 void PrimaryTiles::append_samples(std::uint32_t tile, std::vector<std::uint32_t>& samples) const {

@@ -1,47 +1,68 @@
 #pragma once
 
+#include "render/camera/projection.h"
 #include "render/scene/scene.h"
 #include "render/trace/medium_table.h"
 #include "render/trace/ray_task.h"
+#include "render/trace/start_medium.h"
 
 #include <cstdint>
+#include <memory>
+#include <span>
 #include <vector>
 
 namespace firstlight::render {
+
+class CompiledNormal;
+
+/// A place of the picture that is to light a sample of the film, in picture coordinates (see PicturePlaces::add).
+struct PrimaryPlace {
+  double x;
+  double y;
+  std::uint32_t sample;
+};
 
 /// Primary rays and their tasks, place by place. The rays are kept beside the tasks, which have no directions, in full
 /// precision: a scene's surfaces often lie exactly on the rows and columns of pixels.
 struct PrimaryBatch {
   std::vector<RayTask> tasks;
   std::vector<Ray> rays;
+  std::vector<std::uint32_t> dark;  ///< samples of places that no ray leads through: they are black, and complete
 
   void clear() {
     tasks.clear();
     rays.clear();
+    dark.clear();
   }
 };
 
-/// What a ray that begins at `point` is inside of.
-std::uint32_t medium_at(const Scene& scene, MediumTable& media, const Vec3& point);
-
 /// Makes primary rays.
+///
+/// Threads  append() may be called from any thread.
 class PrimaryRays {
  public:
-  PrimaryRays(const Scene& scene, MediumTable& media, int width, int height);
+  /// Pre: all outlive it, the view's camera too.
+  PrimaryRays(const Scene& scene, MediumTable& media, const View& view);
+  ~PrimaryRays();
 
-  /// A ray that has not been made, as schemes see it: without a direction, of sample 0.
+  /// A ray that has not been made, as schemes see it: without a direction, of sample 0, from the camera's location.
   const RayTask& unmade() const { return unmade_; }
 
-  int width() const { return width_; }
-  int height() const { return height_; }
-  /// Appends the ray through picture coordinates, as primary_ray() takes them, that lights a sample of the film.
-  void append(double x, double y, std::uint32_t sample, PrimaryBatch& batch) const;
+  int width() const { return view_.width; }
+  int height() const { return view_.height; }
+  /// Appends the rays through the places, in their order.
+  void append(std::span<const PrimaryPlace> places, PrimaryBatch& batch) const;
 
  private:
-  const Scene& scene_;
+  void append_block(std::span<const PrimaryPlace> places, PrimaryBatch& batch) const;
+  /// Turns the rays by the camera's normal.
+  void tilt(std::size_t count, CameraRays& rays) const;
+
+  const View view_;
+  ProjectionPtr projection_;
+  StartMedium medium_;
+  std::unique_ptr<const CompiledNormal> normal_;  ///< null: none
   RayTask unmade_;
-  int width_;
-  int height_;
 };
 
 /// The pixels of a picture cut into tiles, to be traced one after the other: from a coarse grid of pixels over the

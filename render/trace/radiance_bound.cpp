@@ -1,5 +1,6 @@
 #include "render/trace/radiance_bound.h"
 
+#include "render/camera/projection.h"
 #include "render/math/interrupt.h"
 #include "render/trace/surface_limits.h"
 
@@ -19,8 +20,8 @@ constexpr double kUsualRow = 4.0;
 
 }  // namespace
 
-RadianceBound::RadianceBound(const Scene& scene) {
-  const SurfaceLimits limits(scene);
+RadianceBound::RadianceBound(const Scene& scene, const Camera& camera) {
+  const SurfaceLimits limits(scene, make_projection(camera)->origins());
   known_ = limits.proven;
   const int levels = std::max(scene.settings.max_trace_level, 1);
   most_.assign(static_cast<std::size_t>(std::max(levels, 256)), 0.0f);

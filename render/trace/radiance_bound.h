@@ -19,7 +19,9 @@ namespace firstlight::render {
 /// Threads  Immutable.
 class RadianceBound {
  public:
-  explicit RadianceBound(const Scene& scene);
+  explicit RadianceBound(const Scene& scene) : RadianceBound(scene, scene.camera) {}
+  /// Of the scene as another camera sees it.
+  RadianceBound(const Scene& scene, const Camera& camera);
 
   /// False where there is no bound, and at_stake() is an estimate: rows of surfaces that take no light away but add
   /// some, as clear glass without refraction does with its highlights, may be of any length; the estimate allows for

@@ -46,7 +46,7 @@ Stepper::Stepper(const TraceContext& context, std::shared_ptr<const SurfaceTable
     : context_(context),
       table_(std::move(surfaces)),
       veils_of_scene_(context.scene),
-      bound_(context.scene),
+      bound_(context.scene, context.camera()),
       has_transparent_casters_(std::any_of(context.scene.parts.begin(), context.scene.parts.end(),
                                            [](const Part& part) { return !part.opaque; })),
       rays_(std::make_unique<RayBlock>()),

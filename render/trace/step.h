@@ -39,6 +39,9 @@ struct TraceContext {
   const Scene& scene;
   const Accel& accel;
   MediumTable& media;
+  const Camera* other_camera = nullptr;  ///< to look at the scene by instead of its own
+
+  const Camera& camera() const { return other_camera != nullptr ? *other_camera : scene.camera; }
 };
 
 /// One worker's tracing step: nearest hits of a batch of tasks, then local shading. It never recurses along a ray tree

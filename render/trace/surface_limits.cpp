@@ -1,6 +1,7 @@
 #include "render/trace/surface_limits.h"
 
 #include "render/trace/pigment_limits.h"
+#include "render/trace/start_medium.h"
 #include "render/trace/surroundings_limits.h"
 
 #include <algorithm>
@@ -58,9 +59,9 @@ double largest_tint(double metallic, const Range& color) {
 
 class Maker {
  public:
-  Maker(const Scene& scene, SurfaceLimits& limits) : scene_(scene), limits_(limits) {
+  Maker(const Scene& scene, const Box3& origins, SurfaceLimits& limits) : scene_(scene), limits_(limits) {
     add_lights();
-    look_at_matter();
+    look_at_matter(origins);
   }
 
   void add(const Texture& texture);
@@ -78,7 +79,7 @@ class Maker {
     return *negative_light_;
   }
   void add_lights();
-  void look_at_matter();
+  void look_at_matter(const Box3& origins);
   double lit(const Finish& finish, const PigmentLimits& pigment, std::size_t channel);
   double mirror_of(const Finish& finish, const PigmentLimits& pigment);
 
@@ -106,7 +107,7 @@ void Maker::add_lights() {
   }
 }
 
-void Maker::look_at_matter() {
+void Maker::look_at_matter(const Box3& origins) {
   const double around = scene_.settings.atmosphere_ior;
   const auto is_air = [around](double ior) { return std::abs(ior / around - 1.0) < kNegligible; };
   matter_ = 0.0;
@@ -124,7 +125,7 @@ void Maker::look_at_matter() {
   }
   if (clear.size() != 1 || is_air(scene_.interiors[*clear.begin()]->ior)) return;
   goes_straight_ = std::ranges::any_of(scene_.solids, [&](const Solid& solid) {
-    return !clear.contains(solid.matter) && solid.holds_start(scene_.camera.location);
+    return !clear.contains(solid.matter) && may_hold_start(solid, origins);
   });
 }
 
@@ -229,10 +230,10 @@ double SurfaceAnswer::from_this_side(double incoming) const {
   return light;
 }
 
-SurfaceLimits::SurfaceLimits(const Scene& scene) {
+SurfaceLimits::SurfaceLimits(const Scene& scene, const Box3& origins) {
   background = sky_limit(scene, proven);
   veil = veil_limits(scene, proven);
-  Maker maker(scene, *this);
+  Maker maker(scene, origins, *this);
   std::unordered_set<const Texture*> seen;  // one texture may stand in many places
   for (const PlacedTexture& placed : scene.textures) {
     if (seen.insert(placed.texture.get()).second) maker.add(*placed.texture);

@@ -35,7 +35,8 @@ struct SurfaceAnswer {
 ///
 /// Source   The formulas of shading (render/trace/shade.cpp), each term at its largest.
 struct SurfaceLimits {
-  explicit SurfaceLimits(const Scene& scene);
+  /// `origins`: what holds the places where primary rays begin.
+  SurfaceLimits(const Scene& scene, const Box3& origins);
 
   std::vector<SurfaceAnswer> answers;
   double background = 0.0;  ///< of rays that meet nothing, before veils

@@ -36,7 +36,12 @@ class Maker {
   explicit Maker(int levels) {
     builder_.settings().max_trace_level = levels;
     builder_.settings().background = Rgb(0.1f, 0.15f, 0.3f);
+    use(CameraKind::perspective);
+  }
+
+  void use(CameraKind kind) {
     Camera camera;
+    camera.kind = kind;
     camera.location = Vec3(0.5, 1.2, -4.0);
     look_at(camera, Vec3(0.0));
     builder_.set_camera(camera);
@@ -74,8 +79,11 @@ render::TraceContext SmallScene::context() {
   return {*scene_, *accel_, *media_};
 }
 
-SmallScene hall_of_mirrors() {
+namespace {
+
+std::unique_ptr<const Scene> hall_seen_by(CameraKind kind) {
   Maker maker(5);
+  maker.use(kind);
   const FilteredColor brown{Rgb(0.4f, 0.25f, 0.1f)};
   const FilteredColor grey{Rgb(0.6f)};
   maker.add("Floor", make_plane({0, 1, 0}, -1.0), texture_of(brown, mirror(0.2f), &grey));
@@ -85,8 +93,14 @@ SmallScene hall_of_mirrors() {
   maker.add("Glass", make_sphere({1.0, -0.4, -0.5}, 0.6), texture_of({Rgb(0.9f), 0.8f, 0.0f}, mirror(0.1f)),
             Interior{.ior = 1.5});
   for (int i = 0; i < 5; ++i) maker.add_light(Vec3(-4.0 + 2.0 * i, 4.0, -2.0 + i), Rgb(0.2f, 0.25f, 0.1f * i), 0.0);
-  return {"hall of mirrors", maker.finished()};
+  return maker.finished();
 }
+
+}  // namespace
+
+SmallScene hall_of_mirrors() { return {"hall of mirrors", hall_seen_by(CameraKind::perspective)}; }
+
+SmallScene hall_through_a_fisheye() { return {"hall through a fisheye", hall_seen_by(CameraKind::fisheye)}; }
 
 SmallScene coloured_glass() {
   Maker maker(6);
@@ -120,6 +134,7 @@ SmallScene mirrors_with_exponents() {
 std::vector<SmallScene> small_scenes() {
   std::vector<SmallScene> scenes;
   scenes.push_back(hall_of_mirrors());
+  scenes.push_back(hall_through_a_fisheye());
   scenes.push_back(coloured_glass());
   scenes.push_back(mirrors_with_exponents());
   return scenes;

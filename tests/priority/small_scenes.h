@@ -31,6 +31,8 @@ class SmallScene {
 
 /// Mirrors that face each other, five lights: more than a record of feelers holds.
 SmallScene hall_of_mirrors();
+/// The same, seen by a camera of which no ray leads through the corners of the picture.
+SmallScene hall_through_a_fisheye();
 /// Glass that bends, filters and fades what goes through, and shadows of its colours.
 SmallScene coloured_glass();
 /// Reflections with exponents, whose trees are traced in one go.

@@ -1,4 +1,4 @@
-#include "render/camera/camera.h"
+#include "render/camera/projection.h"
 
 #include <gtest/gtest.h>
 
@@ -7,20 +7,24 @@
 namespace firstlight::render {
 namespace {
 
-void expect_near(const Vec3& a, const Vec3& b) { EXPECT_LT((a - b).length(), 1e-12) << a << " is not " << b; }
+Ray primary_ray(const Camera& camera, double x, double y, int width, int height) {
+  return ray_through({camera, width, height}, x, y).value();
+}
+
+void expect_camera_vector(const Vec3& a, const Vec3& b) { EXPECT_LT((a - b).length(), 1e-12) << a << " is not " << b; }
 
 TEST(Camera, MiddleOfThePictureLooksAlongTheDirection) {
   const Camera camera;
   const Ray ray = primary_ray(camera, 50.0, 25.0, 100, 50);
   EXPECT_EQ(ray.origin, camera.location);
-  expect_near(ray.direction, {0.0, 0.0, 1.0});
+  expect_camera_vector(ray.direction, {0.0, 0.0, 1.0});
 }
 
 TEST(Camera, FirstPictureCoordinateIsTheUpperLeftCorner) {
   const Camera camera;
   const double length = std::sqrt(0.665 * 0.665 + 0.25 + 1.0);
-  expect_near(primary_ray(camera, 0.0, 0.0, 100, 50).direction, Vec3(-0.665, 0.5, 1.0) / length);
-  expect_near(primary_ray(camera, 100.0, 50.0, 100, 50).direction, Vec3(0.665, -0.5, 1.0) / length);
+  expect_camera_vector(primary_ray(camera, 0.0, 0.0, 100, 50).direction, Vec3(-0.665, 0.5, 1.0) / length);
+  expect_camera_vector(primary_ray(camera, 100.0, 50.0, 100, 50).direction, Vec3(0.665, -0.5, 1.0) / length);
 }
 
 TEST(Camera, LookAtTurnsAllAxesAndKeepsTheirLengths) {
@@ -28,33 +32,33 @@ TEST(Camera, LookAtTurnsAllAxesAndKeepsTheirLengths) {
   camera.location = {1.0, 2.0, 3.0};
   camera.direction = {0.0, 0.0, 2.0};
   look_at(camera, {11.0, 2.0, 3.0});
-  expect_near(camera.direction, {2.0, 0.0, 0.0});
-  expect_near(camera.right, {0.0, 0.0, -1.33});
-  expect_near(camera.up, {0.0, 1.0, 0.0});
+  expect_camera_vector(camera.direction, {2.0, 0.0, 0.0});
+  expect_camera_vector(camera.right, {0.0, 0.0, -1.33});
+  expect_camera_vector(camera.up, {0.0, 1.0, 0.0});
 }
 
 TEST(Camera, LookAtKeepsARightHandedCameraRightHanded) {
   Camera camera;
   camera.right = {-1.33, 0.0, 0.0};
   look_at(camera, {0.0, 0.0, 5.0});
-  expect_near(camera.right, {-1.33, 0.0, 0.0});
-  expect_near(camera.up, {0.0, 1.0, 0.0});
+  expect_camera_vector(camera.right, {-1.33, 0.0, 0.0});
+  expect_camera_vector(camera.up, {0.0, 1.0, 0.0});
 }
 
 TEST(Camera, LookAtTurnsTheSkyUpwards) {
   Camera camera;
   camera.sky = {1.0, 0.0, 0.0};
   look_at(camera, {0.0, 0.0, 1.0});
-  expect_near(camera.up, {1.0, 0.0, 0.0});
-  expect_near(camera.right, {0.0, -1.33, 0.0});
+  expect_camera_vector(camera.up, {1.0, 0.0, 0.0});
+  expect_camera_vector(camera.right, {0.0, -1.33, 0.0});
 }
 
 TEST(Camera, LookAtAlongTheSkyKeepsTheRightVector) {
   Camera camera;
   look_at(camera, {0.0, 7.0, 0.0});
-  expect_near(camera.direction, {0.0, 1.0, 0.0});
-  expect_near(camera.right, {1.33, 0.0, 0.0});
-  expect_near(camera.up, {0.0, 0.0, -1.0});
+  expect_camera_vector(camera.direction, {0.0, 1.0, 0.0});
+  expect_camera_vector(camera.right, {1.33, 0.0, 0.0});
+  expect_camera_vector(camera.up, {0.0, 0.0, -1.0});
 }
 
 TEST(Camera, LookAtItsOwnPlaceGivesNoNotANumber) {

@@ -181,5 +181,26 @@ TEST(Start, AsksTheBoxOfAClipAndNotTheClip) {
   EXPECT_FALSE(starts_in(plane, Vec3(0.0, -1.5, 0.0)));
 }
 
+TEST(Start, OfRaysFromManyPlacesIsAskedOfWhatMayHoldThem) {
+  SceneBuilder builder;
+  auto texture = std::make_shared<Texture>();
+  texture->layers.push_back({});
+  Object glass = object_of(make_sphere(Vec3(0.0), 1.0));
+  glass.extras.change().interior = Interior();
+  Object water = object_of(make_plane(Vec3(0.0, 1.0, 0.0), 0.0));
+  water.extras.change().interior = Interior();
+  for (const Object& object : {glass, water, object_of(make_sphere(Vec3(9.0), 1.0))}) builder.add(object, texture);
+  const auto scene = builder.build();
+  const Box3 origins(Vec3(-2.0), Vec3(2.0));
+  MediumTable media;
+  const StartMedium medium(*scene, media, origins);
+  for (int i = 0; i < 200; ++i) {
+    const Vec3 point = Vec3(i % 5, i / 5 % 5, i / 25) - Vec3(2.0, 2.0, 3.5) * 0.9;
+    if (!origins.intersects(point)) continue;
+    EXPECT_EQ(medium.of(point), medium_at(*scene, media, point)) << point;
+  }
+  EXPECT_FALSE(may_hold_start(scene->solids[2], origins));
+}
+
 }  // namespace
 }  // namespace firstlight::render

@@ -29,7 +29,7 @@ TEST_P(PrimaryTilesOf, HaveEachPixelOnce) {
 TEST_P(PrimaryTilesOf, AreFilledWithTheRaysOfTheirSamples) {
   const auto scene = SceneBuilder().build();
   MediumTable media;
-  const PrimaryRays rays(*scene, media, 100, 70);
+  const PrimaryRays rays(*scene, media, {scene->camera, 100, 70});
   const PrimaryTiles tiles(100, 70, 0.5, GetParam());
   for (std::uint32_t tile = 0; tile < tiles.count(); ++tile) {
     PrimaryBatch batch;
@@ -40,7 +40,8 @@ TEST_P(PrimaryTilesOf, AreFilledWithTheRaysOfTheirSamples) {
     ASSERT_TRUE(std::ranges::equal(batch.tasks, samples, {}, &RayTask::sample));
     for (std::size_t i = 0; i < samples.size(); ++i) {
       PrimaryBatch one;
-      rays.append(samples[i] % 100 + 0.5, samples[i] / 100 + 0.5, samples[i], one);
+      const PrimaryPlace place{samples[i] % 100 + 0.5, samples[i] / 100 + 0.5, samples[i]};
+      rays.append({&place, 1}, one);
       ASSERT_EQ(batch.rays[i].direction, one.rays[0].direction);
     }
   }

@@ -184,7 +184,7 @@ RandomScene::RandomScene(std::uint32_t seed, Fancy fancy) : scene_(Maker(seed, f
 
 RayTask RandomScene::primary(double x, double y, std::uint32_t sample) {
   constexpr int kUnit = 1;
-  const Ray ray = primary_ray(scene_->camera, x, y, kUnit, kUnit);
+  const Ray ray = ray_through({scene_->camera, kUnit, kUnit}, x, y).value();
   RayTask task;
   task.origin = ray.origin;
   task.set_direction(PackedDirection(ray.direction));

@@ -246,10 +246,11 @@ TEST(Step, BatchesDoNotShowInThePicture) {
   const auto render = [&](std::size_t batch) {
     Stepper stepper(scene.context());
     Film film(24, 16);
-    const PrimaryRays rays(scene.scene(), scene.context().media, 24, 16);
+    const PrimaryRays rays(scene.scene(), scene.context().media, {scene.scene().camera, 24, 16});
     PrimaryBatch primaries;
     for (std::uint32_t pixel = 0; pixel < 24 * 16; ++pixel) {
-      rays.append(pixel % 24 + 0.5, pixel / 24 + 0.5, pixel, primaries);
+      const PrimaryPlace place{pixel % 24 + 0.5, pixel / 24 + 0.5, pixel};
+      rays.append({&place, 1}, primaries);
     }
     std::vector<RayTask> waiting = primaries.tasks;
     while (!waiting.empty()) {

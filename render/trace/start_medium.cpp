@@ -1,0 +1,38 @@
+#include "render/trace/start_medium.h"
+
+namespace firstlight::render {
+namespace {
+
+std::uint32_t with(const Solid& solid, const Vec3& point, std::uint32_t medium, MediumTable& media) {
+  return !media.contains(medium, solid.matter) && solid.holds_start(point) ? media.entered(medium, solid.matter) : medium;
+}
+
+}  // namespace
+
+std::uint32_t medium_at(const Scene& scene, MediumTable& media, const Vec3& point) {
+  std::uint32_t medium = MediumTable::kOutside;
+  for (const Solid& solid : scene.solids) medium = with(solid, point, medium, media);
+  return medium;
+}
+
+bool may_hold_start(const Solid& solid, const Box3& origins) {
+  return origins.min == origins.max ? solid.holds_start(origins.min) : solid.may_hold_start(origins);
+}
+
+StartMedium::StartMedium(const Scene& scene, MediumTable& media, const Box3& origins) : media_(media) {
+  if (origins.min == origins.max) {
+    everywhere_ = medium_at(scene, media, origins.min);
+    return;
+  }
+  for (const Solid& solid : scene.solids) {
+    if (may_hold_start(solid, origins)) holders_.push_back(&solid);
+  }
+}
+
+std::uint32_t StartMedium::ask(const Vec3& origin) const {
+  std::uint32_t medium = MediumTable::kOutside;
+  for (const Solid* solid : holders_) medium = with(*solid, origin, medium, media_);
+  return medium;
+}
+
+}  // namespace firstlight::render

@@ -1,0 +1,37 @@
+#pragma once
+
+#include "render/scene/scene.h"
+#include "render/trace/medium_table.h"
+
+#include <cstdint>
+#include <vector>
+
+namespace firstlight::render {
+
+/// What a ray that begins at `point` is inside of.
+std::uint32_t medium_at(const Scene& scene, MediumTable& media, const Vec3& point);
+
+/// Whether a ray that begins somewhere in `origins` may begin in the solid; for a box that is one point, whether it does.
+bool may_hold_start(const Solid& solid, const Box3& origins);
+
+/// What rays are inside of that begin in a part of space: only those solids are asked that may hold any of their origins,
+/// and none where all rays begin in one point.
+///
+/// Cost     of() that of Solid::holds_start() for each of these solids.
+/// Threads  of() may be called from any thread.
+class StartMedium {
+ public:
+  /// Pre: scene and media outlive it.
+  StartMedium(const Scene& scene, MediumTable& media, const Box3& origins);
+
+  std::uint32_t of(const Vec3& origin) const { return holders_.empty() ? everywhere_ : ask(origin); }
+
+ private:
+  std::uint32_t ask(const Vec3& origin) const;
+
+  MediumTable& media_;
+  std::uint32_t everywhere_ = MediumTable::kOutside;
+  std::vector<const Solid*> holders_;  ///< in the scene's order
+};
+
+}  // namespace firstlight::render
