@@ -91,7 +91,7 @@ void Stepper::meet(const RayTask& task, const Ray& ray, const Hit& hit, const Rg
 
 void Stepper::wear(std::size_t hit, std::uint32_t texture, double share) {
   if (const Coat* coat = table_->even_coat(texture)) {
-    put_on(hit, *coat, share, {}, 0);
+    put_on<true>(hit, *coat, share, {}, 0);
   } else {
     uneven_.push_back({texture, static_cast<std::uint8_t>(hit), share});
   }
@@ -133,13 +133,14 @@ void Stepper::meet_uneven() {
       for (std::size_t k = 0; k < layers.size(); ++k) table_->look(layers[k], *coat, looks_[k]);
       for (std::size_t k = 0; k < coat->points.size; ++k) {
         const Uneven& uneven = uneven_[first + coat->lane[k]];
-        put_on(uneven.hit, *coat->coat, coat->share[k] * uneven.share, looks_, k);
+        put_on<false>(uneven.hit, *coat->coat, coat->share[k] * uneven.share, looks_, k);
       }
     }
     first = end;
   }
 }
 
+template <bool kIsEven>
 void Stepper::put_on(std::size_t hit, const Coat& coat, double of_texture, std::span<const LayerLook> looks,
                      std::size_t lane) {
   HitBlock& block = *block_;
@@ -159,12 +160,12 @@ void Stepper::put_on(std::size_t hit, const Coat& coat, double of_texture, std::
     const SurfaceLayer& layer = layers[l];
     LayerColor at_point;
     bool found = true;
-    if (!layer.is_plain) {
+    if (!kIsEven && !layer.is_plain) {
       at_point = table_->color(layer, looks[l].colors.color(lane));
       found = (looks[l].colors.missing >> lane & 1u) == 0;
     }
     found_any |= found;
-    const LayerColor& color = layer.is_plain ? layer.color : at_point;
+    const LayerColor& color = kIsEven || layer.is_plain ? layer.color : at_point;
     const std::size_t k = surface.layer_count++;
     if (k == block.layer_count) {
       if (k == block.layers.size()) block.layers.emplace_back();
@@ -182,7 +183,8 @@ void Stepper::put_on(std::size_t hit, const Coat& coat, double of_texture, std::
       block.lit_from_behind |= layer.diffuse_back != 0.0;
     }
     Vec3 normal(0.0);
-    if (layer.normal != nullptr) {
+    const bool is_tilted = !kIsEven && layer.normal != nullptr;
+    if (is_tilted) {
       normal = looks[l].normals.vector(lane);
       set_normal(block, columns, hit, normal);
       if (l == 0) {
@@ -198,9 +200,9 @@ void Stepper::put_on(std::size_t hit, const Coat& coat, double of_texture, std::
       const double steepness =
           layer.is_even_mirror
               ? 0.0  // not asked
-              : -block.direction.vector(hit).dot(layer.normal != nullptr ? normal : block.normal.vector(hit));
+              : -block.direction.vector(hit).dot(is_tilted ? normal : block.normal.vector(hit));
       const Rgb reflection = reflectivity(surface, steepness, layer, color.rgb, adc_weight);
-      mirrors_.push_back({&layer, reflection, adc_weight, layer.normal != nullptr, normal});
+      mirrors_.push_back({&layer, reflection, adc_weight, is_tilted, normal});
       if (layer.source->finish->conserve_energy) {
         const Rgb kept = Rgb(1.0f) - reflection;
         passed *= Rgb(std::min(1.0f, kept.x), std::min(1.0f, kept.y), std::min(1.0f, kept.z));

@@ -150,7 +150,8 @@ class Stepper {
   }
   /// Asks textures that differ from point to point, each for all of its hits.
   void meet_uneven();
-  /// Lays a coat on a hit. `looks`: of its layers, at point `lane`; null: it is even.
+  /// Lays a coat on a hit. `looks`: of its layers, at point `lane`; none where `kIsEven`, as the coat then is.
+  template <bool kIsEven>
   void put_on(std::size_t hit, const Coat& coat, double share, std::span<const LayerLook> looks, std::size_t lane);
   /// Lights all that was met, and lets it send on its rays.
   void shade();
