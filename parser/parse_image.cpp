@@ -143,18 +143,48 @@ bool accept_palette(Reader& reader, ImageUse& image) {
   if (word.is(Keyword::alpha)) reader.warn(word, "'alpha' is an old word for 'filter'");
   if (reader.accept(Keyword::all)) {
     (transmit ? image.transmit_all : image.filter_all) = finite_number(reader, word.text);
+    (transmit ? image.transmits : image.filters).clear();
     return true;
   }
   const Token& at = reader.peek();
   ImageUse::PaletteChange change;
   change.entry = static_cast<int>(finite_number(reader, "entry of the palette") + 0.01);
-  if (change.entry < 0 || change.entry > 65535) reader.fail(at, "a palette has no entry of this number");
+  const auto entries = static_cast<int>(image.source.image->palette().size());
+  if (entries == 0) reader.fail(at, quoted(word) + " of an entry is for pictures with a palette only");
+  if (change.entry < 0 || change.entry >= entries) reader.fail(at, "the palette has no entry of this number");
   reader.skip_comma();
   change.value = finite_number(reader, word.text);
   auto& changes = transmit ? image.transmits : image.filters;
   if (changes.size() >= kMostPaletteChanges) reader.fail(word, "too many changes of a palette");
   changes.push_back(change);
   return true;
+}
+
+/// What the numbers of pictures mean, by what the scene has said so far.
+render::ImageGamma image_gamma(const LanguageState& language) {
+  using Unstated = render::ImageGamma::Unstated;
+  const bool is_old = language.effective_version() < 370;
+  if (!language.gamma_stated()) return {is_old ? Unstated::none : Unstated::format, {}};
+  render::ImageGamma gamma{is_old ? Unstated::scene : Unstated::format, {}};
+  if (language.gamma() == render::WorkingGamma::srgb) gamma.scene.kind = render::TransferCurve::Kind::srgb;
+  if (language.gamma() == render::WorkingGamma::power) {
+    gamma.scene = render::TransferCurve::of_power(language.gamma_exponent());
+  }
+  return gamma;
+}
+
+/// The source with its picture read. `in_scene_numbers`: its colours are to be numbers of the scene; else they are light
+/// where the scene says what they mean, and as they are where it does not.
+ImageSource parse_loaded_image(Reader& reader, SceneContext& context, bool in_scene_numbers) {
+  const Token& at = reader.peek();
+  ImageSource source = parse_image_source(reader, context, in_scene_numbers);
+  const LanguageState& language = reader.interpreter().language();
+  render::ImageGamma gamma = image_gamma(language);
+  if (!in_scene_numbers) gamma.scene = {};
+  std::string error;
+  source.image = context.images.load(source, gamma, language.noise_generator(), error);
+  if (!source.image) reader.fail(at, error);
+  return source;
 }
 
 ImageParameters shared(ImageUse image) { return {std::make_shared<const ImageUse>(std::move(image))}; }
@@ -198,7 +228,7 @@ ImageSource parse_image_source(Reader& reader, SceneContext& context, bool has_g
 ImageParameters parse_image_map(Reader& reader, SceneContext& context, const Token& word) {
   reader.open_block(word);
   ImageUse image;
-  image.source = parse_image_source(reader, context, true);
+  image.source = parse_loaded_image(reader, context, true);
   while (accept_placement(reader, image, true) || accept_part(reader, image) || accept_palette(reader, image)) {
   }
   reader.close_block();
@@ -208,7 +238,7 @@ ImageParameters parse_image_map(Reader& reader, SceneContext& context, const Tok
 ImageParameters parse_image_pattern(Reader& reader, SceneContext& context, const Token& word) {
   reader.open_block(word);
   ImageUse image;
-  image.source = parse_image_source(reader, context, false);
+  image.source = parse_loaded_image(reader, context, false);
   for (;;) {
     if (reader.accept(Keyword::use_alpha)) {
       image.part = ImageUse::Part::alpha;
@@ -223,7 +253,7 @@ ImageParameters parse_image_pattern(Reader& reader, SceneContext& context, const
 ImageParameters parse_bump_map(Reader& reader, SceneContext& context, const Token& word, double& amount) {
   reader.open_block(word);
   ImageUse image;
-  image.source = parse_image_source(reader, context, false);
+  image.source = parse_loaded_image(reader, context, false);
   for (;;) {
     if (reader.accept(Keyword::bump_size)) {
       amount = finite_number(reader, "bump_size");
@@ -238,7 +268,7 @@ ImageParameters parse_bump_map(Reader& reader, SceneContext& context, const Toke
 ImageParameters parse_material_image(Reader& reader, SceneContext& context) {
   ImageUse image;
   image.part = ImageUse::Part::index;
-  image.source = parse_image_source(reader, context, false);
+  image.source = parse_loaded_image(reader, context, false);
   while (accept_placement(reader, image, false)) {
   }
   return shared(std::move(image));

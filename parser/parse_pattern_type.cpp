@@ -7,6 +7,7 @@
 #include "parser/parse_surface.h"
 #include "parser/parse_transform.h"
 #include "parser/pattern_owner.h"
+#include "render/scene/object_probe.h"
 
 #include <memory>
 #include <string>
@@ -109,10 +110,25 @@ void parse_object_pattern(Reader& reader, SceneContext& context, PatternOwner& o
   if (!object) reader.fail_expected("an object");
   while (const auto transform = accept_transformation(reader)) render::place(*object, *transform);
   nest(reader, word, owner.change_pattern().depth, object->depth);
+  const auto held = std::make_shared<const render::Object>(std::move(*object));
+  const auto probe = std::make_shared<const render::ObjectProbe>(*held);
+  if (!probe->is_complete()) owner.change_pattern().unrendered.add(feature_use(render::Feature::inside, word));
   owner.change_pattern().parameters =
-      render::ObjectParameters{std::make_shared<const render::Object>(std::move(*object))};
+      render::ObjectParameters{held, [probe](const Vec3& point) { return probe->inside(point); }};
   owner.parse_list(reader, context, render::list_size(PatternKind::object));
   reader.close_block();
+}
+
+render::DensityFileParameters parse_density_file(Reader& reader, SceneContext& context) {
+  const Token& at = reader.peek();
+  render::DensityFileParameters file;
+  file.path = parse_file_name(reader, {".df3"});
+  std::shared_ptr<const render::DensityGrid>& grid = context.density_files[file.path];
+  std::string error;
+  if (!grid) grid = render::DensityGrid::read(file.path, error);
+  if (!grid) reader.fail(at, error);
+  file.grid = grid;
+  return file;
 }
 
 void parse_pigment_pattern(Reader& reader, SceneContext& context, Patterning& pattern, const Token& word) {
@@ -140,7 +156,7 @@ void parse_arguments(Reader& reader, SceneContext& context, PatternOwner& owner,
       return;
     case PatternKind::density_file:
       if (!reader.accept(Keyword::df3)) reader.fail_expected("'df3'");
-      pattern.parameters = render::DensityFileParameters{parse_file_name(reader, {".df3"}), 0};
+      pattern.parameters = parse_density_file(reader, context);
       return;
     case PatternKind::facets:
       pattern.parameters = render::FacetsParameters();

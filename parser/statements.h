@@ -3,10 +3,14 @@
 #include "parser/reader.h"
 #include "parser/value.h"
 #include "render/scene/scene_builder.h"
+#include "render/texture/density_grid.h"
+#include "render/texture/image_store.h"
 
 #include <cstdint>
+#include <map>
 #include <memory>
 #include <optional>
+#include <string>
 #include <vector>
 
 namespace firstlight::parser {
@@ -30,6 +34,8 @@ struct SceneContext {
   render::Camera default_camera;
   render::Camera camera;  ///< the scene's so far; before version 3.5 a further camera statement goes on from it
   RadiosityText radiosity;
+  render::ImageStore images;
+  std::map<std::string, std::shared_ptr<const render::DensityGrid>> density_files;  ///< by path
   std::uint64_t size = 0;  ///< objects in the scene so far, with all that they are made of
 };
 

@@ -48,7 +48,7 @@ struct Reader {
   Raster (*read)(FileBytes file);
 };
 
-constexpr std::array kReaders = {Reader{is_png, read_png}, Reader{is_jpeg, read_jpeg}, Reader{is_pnm, read_pnm},
+constexpr std::array kReaders = {Reader{is_png, read_png}, Reader{is_jpeg, read_jpeg}, Reader{is_gif, read_gif}, Reader{is_pnm, read_pnm},
                                  Reader{is_tga, read_tga}};
 
 const Format* find_format(const std::string& path, std::string_view format) {

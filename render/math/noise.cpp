@@ -42,6 +42,10 @@ class LatticeTables {
   }
 
   unsigned column(unsigned x, unsigned y) const { return permutation_[permutation_[x] ^ y]; }
+  unsigned hash(unsigned x, unsigned y, unsigned z) const {
+    constexpr unsigned kWithin = kPoints - 1;
+    return permutation_[permutation_[permutation_[x & kWithin] ^ (y & kWithin)] ^ (z & kWithin)];
+  }
   /// The first of the coefficients at a point, given its column().
   const double* coefficients(unsigned column, unsigned z) const { return &values_[permutation_[column ^ z] & 0xff]; }
 
@@ -191,6 +195,11 @@ double gradient_noise(const Vec3& point) {
 }
 
 }  // namespace
+
+unsigned lattice_hash(double x, double y, double z) {
+  const auto whole = [](double c) { return static_cast<unsigned>(cut(c)); };
+  return LatticeTables::get().hash(whole(x), whole(y), whole(z));
+}
 
 double noise(const Vec3& point, int generator) {
   double value = 0.0;

@@ -16,6 +16,9 @@ struct Octaves {
 // original noise, 2 the original with its range corrected, 3 gradient noise. Values and rounding are POV-Ray 3.7's.
 // Cost: about 50 ns a value, and as much for each octave.
 
+/// A number from 0 to 4095 of the lattice's cell whose lowest corner is given, in whole numbers.
+unsigned lattice_hash(double x, double y, double z);
+
 /// In [0, 1].
 double noise(const Vec3& point, int generator);
 /// A vector of which each component is a noise of its own, about [-0.5, 0.5]. It has no generators.

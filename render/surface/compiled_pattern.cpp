@@ -1,5 +1,7 @@
 #include "render/surface/compiled_pattern.h"
 
+#include "render/surface/compiled_pigment.h"
+
 #include <bit>
 
 namespace firstlight::render {
@@ -7,7 +9,13 @@ namespace firstlight::render {
 CompiledPattern::CompiledPattern(const Patterning& source, const PatternWorld& world)
     : source_(&source), moved_by_turbulence_(is_moved_by_turbulence(source.kind)) {
   const int generator = source.noise_generator != 0 ? source.noise_generator : world.noise_generator;
-  field_ = make_pattern(source.kind, {source.parameters, generator, world, source.warps.turbulence});
+  field_ = make_pattern(source.kind, {source.parameters, generator, world, source.warps.turbulence, source.wave});
+  if (source.kind == PatternKind::image_map || source.kind == PatternKind::material_map) {
+    image_ = std::make_shared<const ImageMap>(std::get<ImageParameters>(source.parameters).image);
+  }
+  if (source.kind == PatternKind::pigment_pattern) {
+    pigment_ = std::make_shared<const CompiledPigment>(*std::get<PigmentParameters>(source.parameters).pigment, world);
+  }
 }
 
 void CompiledPattern::to_pattern(const SurfacePoints& points, Columns3<double>& there) const {
@@ -17,8 +25,25 @@ void CompiledPattern::to_pattern(const SurfacePoints& points, Columns3<double>& 
 }
 
 void CompiledPattern::places(const Columns3<double>& there, const SurfacePoints& points, Column<double>& places) const {
-  field_->values(there, points, places);
+  if (pigment_ != nullptr) {
+    greys(there, points, places);
+  } else {
+    field_->values(there, points, places);
+  }
   shape_all(source_->wave, points.size, places);
+}
+
+void CompiledPattern::greys(const Columns3<double>& there, const SurfacePoints& points, Column<double>& values) const {
+  const auto moved = std::make_unique_for_overwrite<SurfacePoints>();
+  const auto found = std::make_unique_for_overwrite<ColorColumns>();
+  pick(points, there, points.all(), *moved);
+  pigment_->colors(*moved, *found);
+  for (std::size_t i = 0; i < points.size; ++i) {
+    const Rgb color = found->color(i).rgb;
+    const double grey = 0.297 * static_cast<double>(color.x) + 0.589 * static_cast<double>(color.y) +
+                        0.114 * static_cast<double>(color.z);
+    values[i] = (found->missing >> i & 1u) != 0 ? 0.0 : static_cast<double>(static_cast<float>(grey));
+  }
 }
 
 void pick(const SurfacePoints& points, const Columns3<double>& at, std::uint64_t lanes, SurfacePoints& picked) {
@@ -29,6 +54,7 @@ void pick(const SurfacePoints& points, const Columns3<double>& at, std::uint64_t
     const std::size_t k = picked.size++;
     picked.at.set(k, at.vector(i));
     if (!points.on_surface) continue;
+    picked.place.set(k, points.place.vector(i));
     picked.normal.set(k, points.normal.vector(i));
     picked.tilted.set(k, points.tilted.vector(i));
     picked.direction.set(k, points.direction.vector(i));

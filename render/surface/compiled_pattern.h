@@ -1,12 +1,16 @@
 #pragma once
 
+#include "render/texture/image_map.h"
 #include "render/texture/patterning.h"
 #include "render/texture/patterns.h"
 
 #include <cstdint>
+#include <memory>
 #include <vector>
 
 namespace firstlight::render {
+
+class CompiledPigment;  // render/surface/compiled_pigment.h, which stands on this
 
 /// A pattern ready to be asked, from points of the space that it is placed in to places in its map.
 ///
@@ -16,17 +20,24 @@ class CompiledPattern {
   CompiledPattern(const Patterning& source, const PatternWorld& world);
 
   const Patterning& source() const { return *source_; }
-  /// Null where the pattern is no field of numbers.
+  /// Null where the pattern is no field of numbers by itself.
   const Pattern* field() const { return field_.get(); }
+
+  /// The picture of an image_map or a material_map; null for all others.
+  const ImageMap* image() const { return image_.get(); }
 
   /// The pattern's points for those of `points`.
   void to_pattern(const SurfacePoints& points, Columns3<double>& there) const;
-  /// Places in the map at points of the pattern's space. Pre: field().
+  /// Places in the map at points of the pattern's space. Pre: a pattern of numbers.
   void places(const Columns3<double>& there, const SurfacePoints& points, Column<double>& places) const;
 
  private:
+  void greys(const Columns3<double>& there, const SurfacePoints& points, Column<double>& values) const;
+
   const Patterning* source_;
   PatternPtr field_;
+  std::shared_ptr<const ImageMap> image_;
+  std::shared_ptr<const CompiledPigment> pigment_;  ///< of pigment_pattern
   bool moved_by_turbulence_;
 };
 

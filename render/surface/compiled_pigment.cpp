@@ -39,6 +39,8 @@ void CompiledPigment::colors(const SurfacePoints& points, ColorColumns& colors) 
     const auto own = std::make_unique_for_overwrite<SurfacePoints>();
     to_own_coordinates(points, *own);
     entries_.front().colors(*own, colors);
+  } else if (pattern_.image() != nullptr) {
+    pictured(points, colors);
   } else if (kind == PatternKind::average) {
     averaged(points, colors);
   } else if (entries_.empty()) {
@@ -65,6 +67,17 @@ void CompiledPigment::mapped(const SurfacePoints& points, ColorColumns& colors) 
   pattern_.places(there, points, places);
   const ColorMap& map = map_of(*source_);
   for (std::size_t i = 0; i < points.size; ++i) colors.set(i, look_up(map, places[i]));
+}
+
+void CompiledPigment::pictured(const SurfacePoints& points, ColorColumns& colors) const {
+  const FilteredColor nothing{Rgb(1.0f), 0.0f, 1.0f};
+  Columns3<double> there;
+  pattern_.to_pattern(points, there);
+  for (std::size_t i = 0; i < points.size; ++i) {
+    const auto place = pattern_.image()->place(there.vector(i));
+    colors.set(i, place ? pattern_.image()->at(*place).color : nothing);
+    if (!place) colors.missing |= std::uint64_t{1} << i;
+  }
 }
 
 // Entries are asked where the warps lead, turbulence included.

@@ -41,6 +41,7 @@ class CompiledPigment {
 
  private:
   void mapped(const SurfacePoints& points, ColorColumns& colors) const;
+  void pictured(const SurfacePoints& points, ColorColumns& colors) const;
   void averaged(const SurfacePoints& points, ColorColumns& colors) const;
   void blended(const SurfacePoints& points, ColorColumns& colors) const;
 

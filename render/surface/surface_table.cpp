@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <bit>
+#include <cmath>
 #include <utility>
 
 namespace firstlight::render {
@@ -11,6 +12,19 @@ double positive(double amount) { return amount > 0.0 ? amount : 0.0; }
 
 /// Whether the layer needs its pigment compiled.
 bool is_patterned(const TextureLayer& layer) { return is_patterned(layer.pigment.pattern->kind); }
+
+/// Number of the texture that a material_map of `count` has at a point: by the pixel's place in its palette, or how red it
+/// is, of 255. Numbers above the count begin again; the count itself is the last. Beside the picture it is the first.
+/// [POV-Ray 3.7]
+std::uint32_t material_at(const ImageMap& image, const Vec3& point, std::uint32_t count) {
+  const auto place = image.place(point);
+  if (!place) return 0;
+  const ImageMap::Sample sample = image.as_stored(*place);
+  const double number = sample.index != -1 ? sample.index : std::trunc(static_cast<double>(sample.color.rgb.x) * 255.0);
+  if (!(number > 0.0)) return 0;
+  const double materials = count;
+  return static_cast<std::uint32_t>(std::min(number > materials ? std::fmod(number, materials) : number, materials - 1.0));
+}
 
 }  // namespace
 
@@ -173,13 +187,19 @@ void SurfaceTable::unfold_node(const Node& node, const Way& way, const SurfacePo
     }
     return;
   }
-  Column<double> values;
-  pattern.places(there, points, values);
   const auto entries = static_cast<std::uint32_t>(node.entries.size());
   std::array<MapPlace, kRaysAtOnce> places;
-  for (std::size_t i = 0; i < points.size; ++i) {
-    places[i] =
-        place_in_map(values[i], entries, [&](std::uint32_t k) { return stored_position(node.entries[k].first); });
+  if (pattern.image() != nullptr) {
+    for (std::size_t i = 0; i < points.size; ++i) {
+      places[i].below = places[i].above = material_at(*pattern.image(), there.vector(i), entries);
+    }
+  } else {
+    Column<double> values;
+    pattern.places(there, points, values);
+    for (std::size_t i = 0; i < points.size; ++i) {
+      places[i] =
+          place_in_map(values[i], entries, [&](std::uint32_t k) { return stored_position(node.entries[k].first); });
+    }
   }
   for_each_entry(entries, points.size, places, [&](std::uint32_t entry, std::uint64_t bits) {
     pick(points, there, bits, *picked);

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "render/function/function.h"
+#include "render/image/image.h"
 #include "render/math/vec.h"
 
 #include <cstdint>
@@ -26,6 +27,7 @@ struct ImageSource {
   FunctionPtr function;               ///< of x and y, instead of a file
   std::uint32_t columns = 0;          ///< of a picture made by a function; else 0
   std::uint32_t rows = 0;
+  std::shared_ptr<const Image> image;  ///< null: not read
 };
 
 /// A picture laid on a surface. Defaults are POV-Ray 3.7's. [manual, "Image Map"]

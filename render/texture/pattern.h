@@ -15,6 +15,7 @@ struct SurfacePoints {
   std::size_t size = 0;  ///< at most kRaysAtOnce
   bool on_surface = false;
   Columns3<double> at;         ///< in the space that what is asked is placed in
+  Columns3<double> place;      ///< the same in the scene
   Columns3<double> normal;     ///< of the bare surface, unit, towards the ray's origin, in the scene
   Columns3<double> tilted;     ///< the same after the normals that were asked last
   Columns3<double> direction;  ///< of the ray, unit, in the scene

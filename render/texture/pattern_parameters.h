@@ -2,8 +2,10 @@
 
 #include "render/function/function.h"
 #include "render/math/vec.h"
+#include "render/texture/density_grid.h"
 #include "render/texture/image_use.h"
 
+#include <functional>
 #include <memory>
 #include <string>
 #include <variant>
@@ -34,6 +36,7 @@ struct CrackleParameters {
 struct DensityFileParameters {
   std::string path;       ///< of the .df3 file, where it was found
   int interpolation = 0;  ///< 1: trilinear, 2: tricubic
+  std::shared_ptr<const DensityGrid> grid = {};  ///< null: not read
 };
 
 struct FacetsParameters {
@@ -68,7 +71,8 @@ struct ImageParameters {
 };
 
 struct ObjectParameters {
-  std::shared_ptr<const Object> object;  ///< value 1 inside, 0 outside
+  std::shared_ptr<const Object> object;       ///< value 1 inside, 0 outside
+  std::function<bool(const Vec3&)> inside = {};  ///< of the object; empty: its geometry is not known
 };
 
 struct PavementParameters {

@@ -24,6 +24,7 @@ struct PatternRequest {
   int noise_generator;
   const PatternWorld& world;
   const std::optional<Turbulence>& turbulence;  ///< the word outside `warp`: a few patterns have their own use of it
+  Wave wave = {};                               ///< the same
 
   template <class Parameters>
   const Parameters& get() const {

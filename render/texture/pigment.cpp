@@ -1,6 +1,7 @@
 #include "render/texture/pigment.h"
 
 #include "render/texture/default_map.h"
+#include "render/texture/image_map.h"
 
 #include <algorithm>
 #include <cmath>
@@ -35,7 +36,10 @@ const ColorMap& map_of(const Pigment& pigment) {
 
 bool lets_light_through(const Pigment& pigment) {
   if (!is_patterned(pigment.pattern->kind)) return lets_light_through(pigment.color);
-  if (is_image(pigment.pattern->kind)) return true;
+  if (const auto* const laid = std::get_if<ImageParameters>(&pigment.pattern->parameters);
+      laid != nullptr && is_image(pigment.pattern->kind)) {
+    return lets_light_through(laid->image);
+  }
   if (pigment.pattern->pigments) return pigment.pattern->pigments->translucent;
   const ColorMap& map = map_of(pigment);
   return std::any_of(map.begin(), map.end(),

@@ -7,8 +7,10 @@ namespace firstlight::render {
 bool is_opaque(const Texture& texture) {
   // One opaque layer hides all below it and lets nothing out from above.
   return std::any_of(texture.layers.begin(), texture.layers.end(), [](const TextureLayer& layer) {
-    return layer.extras->patterned ? !layer.extras->patterned->textures->translucent
-                                   : !lets_light_through(layer.pigment);
+    if (!layer.extras->patterned) return !lets_light_through(layer.pigment);
+    const TexturePattern& pattern = *layer.extras->patterned;
+    const auto* const laid = std::get_if<ImageParameters>(&pattern.pattern.parameters);
+    return !pattern.textures->translucent && !(laid != nullptr && laid->image->once);
   });
 }
 

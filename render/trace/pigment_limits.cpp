@@ -26,6 +26,8 @@ void include_product(Range& range, const Line& a, const Line& b, const Line& c) 
 PigmentLimits::PigmentLimits(const Pigment& pigment, int language_version) : old_opacity_(language_version < 370) {
   if (!is_patterned(pigment.pattern->kind)) {
     include(pigment.color, pigment.color, 0.0);
+  } else if (is_image(pigment.pattern->kind)) {
+    include_image(*std::get<ImageParameters>(pigment.pattern->parameters).image);
   } else {
     if (pigment.pattern->pigments) {
       for (const MapEntry<Pigment>& entry : pigment.pattern->pigments->entries) include_all(entry.value);
@@ -55,6 +57,7 @@ bool PigmentLimits::only_takes() const {
 
 void PigmentLimits::include_all(const Pigment& part) {
   const PigmentLimits limits(part, old_opacity_ ? 360 : 370);
+  is_known = is_known && limits.is_known;
   for (std::size_t i = 0; i < 3; ++i) {
     color[i].include(limits.color[i].low);
     color[i].include(limits.color[i].high);
@@ -62,6 +65,49 @@ void PigmentLimits::include_all(const Pigment& part) {
     passed[i].include(limits.passed[i].high);
     body[i] = std::max(body[i], limits.body[i]);
   }
+}
+
+/// All corners of what colours, filters and transmits can be, as if each were there with each.
+void PigmentLimits::include_image(const ImageUse& use) {
+  if (!use.source.image) {
+    is_known = false;
+    return include({}, {Rgb(1.0f), 0.0f, 0.0f}, 0.0);
+  }
+  const Image& image = *use.source.image;
+  is_known = std::isfinite(image.high());
+  Range colors, filters, transmits;
+  colors.include(static_cast<double>(image.low()));
+  colors.include(is_known ? static_cast<double>(image.high()) : 1.0);
+  filters.include(0.0);
+  transmits.include(0.0);
+  if (image.has_alpha()) transmits.include(1.0);
+  if (image.is_indexed()) {
+    if (use.filter_all) filters.include(*use.filter_all);
+    if (use.transmit_all) transmits.include(*use.transmit_all);
+    for (const ImageUse::PaletteChange& change : use.filters) filters.include(change.value);
+    for (const ImageUse::PaletteChange& change : use.transmits) transmits.include(change.value);
+  } else {
+    filters.low = filters.high = use.filter_all.value_or(0.0);
+    transmits.low += use.transmit_all.value_or(0.0);
+    transmits.high += use.transmit_all.value_or(0.0);
+  }
+  if (use.interpolation == ImageUse::Interpolation::bicubic) {
+    // Of its weights those above 0 add up to at most 1.25^2/2 + 1/2, the others to 1 less.
+    constexpr double kExcess = (1.25 * 1.25 - 1.0) / 2.0;
+    for (Range* range : {&colors, &filters, &transmits}) {
+      const double size = range->high - range->low;
+      range->low -= kExcess * size;
+      range->high += kExcess * size;
+    }
+    is_known = is_known && !image.kind().blends_premultiplied;
+  }
+  const auto corner = [&](int which) {
+    const auto pick = [which](const Range& range, int bit) {
+      return static_cast<float>((which & bit) != 0 ? range.high : range.low);
+    };
+    return FilteredColor{Rgb(pick(colors, 1)), pick(filters, 2), pick(transmits, 4)};
+  };
+  for (int which = 0; which < 8; ++which) include(corner(which), corner(which), kBlendError);
 }
 
 void PigmentLimits::include(const FilteredColor& from, const FilteredColor& to, double error) {

@@ -31,6 +31,7 @@ struct PigmentLimits {
 
   std::array<Range, 3> color;
   std::array<Range, 3> passed;  ///< tint of the light that goes through
+  bool is_known = true;         ///< false where colours may be of any size; then the limits are usual ones
   Channels body{};              ///< most of colour times opacity: what its own and its diffuse light are multiplied by
 
   PigmentLimits(const Pigment& pigment, int language_version);
@@ -45,6 +46,7 @@ struct PigmentLimits {
 
  private:
   void include_all(const Pigment& part);
+  void include_image(const ImageUse& use);
   void include(const FilteredColor& from, const FilteredColor& to, double error);
 
   bool old_opacity_;

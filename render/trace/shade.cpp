@@ -112,6 +112,7 @@ void Stepper::meet_uneven() {
       const std::size_t k = end - first;
       const std::size_t hit = uneven_[end].hit;
       points->at.set(k, block.point.vector(hit));
+      points->place.set(k, block.point.vector(hit));
       points->normal.set(k, block.normal.vector(hit));
       points->tilted.set(k, block.normal.vector(hit));
       points->direction.set(k, block.direction.vector(hit));

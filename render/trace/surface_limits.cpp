@@ -174,7 +174,7 @@ void Maker::add(const Texture& texture) {
   bool only_takes = true;
   for (const TextureLayer& layer : texture.layers) {
     const PigmentLimits pigment(layer.pigment, scene_.settings.language_version);
-    need(!layer.pigment.pattern->pigments);  // colours between those of several pigments are not looked at
+    need(pigment.is_known && !layer.pigment.pattern->pigments);  // colours between those of several pigments are not looked at
     const Finish& finish = layer.finish;
     for (std::size_t i = 0; i < 3; ++i) own[i] += passed * most_kept * lit(finish, pigment, i);
     const double mirror = mirror_of(finish, pigment);

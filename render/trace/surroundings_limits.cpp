@@ -77,7 +77,7 @@ double sky_limit(const Scene& scene, bool& proven) {
   double passed = 1.0;
   for (auto pigment = sky.pigments.rbegin(); pigment != sky.pigments.rend(); ++pigment) {
     const PigmentLimits limits(*pigment, 370);
-    proven = proven && !pigment->pattern->pigments;
+    proven = proven && limits.is_known && !pigment->pattern->pigments;
     light += passed * std::max({limits.body[0], limits.body[1], limits.body[2]});
     passed *= limits.most_passed();
     // Of old rules, by which filters multiply, this is a bound where all shares are such and colours are not above 1.

@@ -82,7 +82,7 @@ TEST(Include, BackslashesInItsNameStandForSlashes) {
 }
 TEST(Include, AnotherFilesNameIsTakenAsItStandsToo) {
   const Folder folder;
-  folder.add("parts/new.png", "");
+  folder.add("parts/new.png", "P2 1 1 255 0\n");
   const std::string text = "sphere { 0, 1 pigment { image_map { png \"parts\\new.png\" } } }";
   render::LoadOptions options;
   options.parse_only = true;

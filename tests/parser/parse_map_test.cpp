@@ -33,7 +33,7 @@ TEST(ParseMap, PigmentMapsHoldPigments) {
   EXPECT_EQ(pigment.pattern->pigments->entries[1].position, 0.25);
   EXPECT_EQ(pigment.pattern->pigments->entries[1].value.pattern->kind, PatternKind::marble);
   EXPECT_EQ(pigment.pattern->depth, 1u);
-  EXPECT_EQ(unrendered("sphere { 0, 1 pigment { gradient x pigment_map { [0 rgb 1] [1 crackle] } } }"), "crackle ");
+  EXPECT_EQ(unrendered("sphere { 0, 1 pigment { gradient x pigment_map { [0 rgb 1] [1 pavement] } } }"), "pavement ");
 }
 
 TEST(ParseMap, DeclaredMapsCanBeUsed) {
@@ -67,7 +67,7 @@ TEST(ParseMap, ListsOfPatternedPigmentsArePigmentMaps) {
   ASSERT_TRUE(pigment.pattern->pigments);
   EXPECT_EQ(pigment.pattern->pigments->entries[0].value.pattern->kind, PatternKind::bozo);
   EXPECT_EQ(pigment.pattern->pigments->entries[1].value.color.rgb, Rgb(1));
-  EXPECT_EQ(unrendered("sphere { 0, 1 pigment { checker pigment { crackle } } }"), "crackle ");
+  EXPECT_EQ(unrendered("sphere { 0, 1 pigment { checker pigment { pavement } } }"), "pavement ");
 }
 
 TEST(ParseMap, UvMappingHoldsOneItem) {
@@ -101,7 +101,12 @@ TEST(ParseMap, QuickColorIsKept) {
 /// A file of the current folder, there while the object lives.
 class PictureFile {
  public:
-  explicit PictureFile(std::string name) : name_(std::move(name)) { std::ofstream(name_) << "data"; }
+  explicit PictureFile(std::string name) : name_(std::move(name)) {
+    // A GIF of one pixel and four colours: what a file is, is told by what it contains.
+    const unsigned char bytes[] = {'G', 'I', 'F', '8', '9', 'a', 1, 0,   1, 0, 0x81, 0, 0, 0, 0, 0, 90, 90, 90, 180, 180, 180,
+                                   255, 255, 255, 0x2c, 0, 0, 0, 0, 1, 0, 1, 0, 0, 2, 2, 0x44, 1, 0, 0x3b};
+    std::ofstream(name_, std::ios::binary).write(reinterpret_cast<const char*>(bytes), sizeof(bytes));
+  }
   ~PictureFile() {
     std::error_code ignored;
     std::filesystem::remove(name_, ignored);

@@ -128,7 +128,7 @@ TEST(ParseScene, SceneWithoutObjectsIsAWarning) {
 TEST(ParseScene, WhatIsNoStatementIsNamed) {
   EXPECT_NE(errors(load("42")).find("expected an object or a directive"), std::string::npos);
   EXPECT_NE(errors(load("roughness 0.1")).find("'roughness'"), std::string::npos);
-  EXPECT_EQ(errors(load("fog { distance 10 }")), "'fog' cannot be rendered by this version of Firstlight\n");
+  EXPECT_EQ(errors(load("media { emission 1 }")), "'media' cannot be rendered by this version of Firstlight\n");
 }
 
 }  // namespace

@@ -18,7 +18,7 @@ TEST(ParseNormal, HasPatternAmountAndAccuracy) {
   EXPECT_EQ(full.accuracy, 0.1);
   EXPECT_TRUE(full.pattern.keeps_bump_size);
   EXPECT_EQ(normal_of("wrinkles 0.2 bump_size 0.9").amount, 0.9);
-  EXPECT_EQ(unrendered("sphere { 0, 1 normal { facets 0.2 } }"), "facets ");
+  EXPECT_EQ(unrendered("sphere { 0, 1 normal { pavement 0.2 } }"), "pavement ");
 }
 
 TEST(ParseNormal, FacetsHaveSizeCoordsAndMetric) {
@@ -61,7 +61,7 @@ TEST(ParseTexturePattern, TexturesAreMixedByMapsListsAndTiles) {
   const auto tiles = texture_pattern_of("tiles { texture { pigment { rgb x } } tile2 texture { pigment { rgb y } } }");
   EXPECT_EQ(tiles.pattern.kind, PatternKind::tiles);
   EXPECT_EQ(tiles.textures->entries.at(1).value->layers[0].pigment.color.rgb, Rgb(1, 0, 0));
-  EXPECT_EQ(unrendered("sphere { 0, 1 texture { checker texture { pigment { crackle } } texture { } } }"), "crackle ");
+  EXPECT_EQ(unrendered("sphere { 0, 1 texture { checker texture { pigment { pavement } } texture { } } }"), "pavement ");
 }
 
 TEST(ParseTexturePattern, MovesAsAWhole) {
