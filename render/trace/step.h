@@ -4,10 +4,13 @@
 #include "render/math/fixed_rgb.h"
 #include "render/scene/scene.h"
 #include "render/surface/surface_table.h"
+#include "render/trace/area_shadow.h"
 #include "render/trace/hit_block.h"
 #include "render/trace/medium_table.h"
 #include "render/trace/radiance_bound.h"
 #include "render/trace/ray_task.h"
+#include "render/trace/shadow.h"
+#include "render/trace/trace_context.h"
 
 #include <array>
 #include <cstdint>
@@ -30,16 +33,6 @@ struct RayCounts {
   std::uint64_t traced() const { return total() - clear - blocked; }
   RayCounts& operator+=(const RayCounts& other);
   RayCounts operator-(const RayCounts& before) const;
-};
-
-/// What tracing reads: the scene, its hierarchy, and the shared table of media.
-struct TraceContext {
-  const Scene& scene;
-  const Accel& accel;
-  MediumTable& media;
-  const Camera* other_camera = nullptr;  ///< to look at the scene by instead of its own
-
-  const Camera& camera() const { return other_camera != nullptr ? *other_camera : scene.camera; }
 };
 
 /// One worker's tracing step: nearest hits of a batch of tasks, then local shading. It never recurses along a ray tree
@@ -113,9 +106,11 @@ class Stepper {
 
   /// What the feelers of a record change, from number `feeler` of the block on; `blocked` are the bits of those that
   /// something opaque blocks.
-  void take_back(const RayTask& task, std::size_t& feeler, std::uint64_t blocked, Contribution& light) const;
-  /// What transparent things keep of a feeler's light that nothing opaque blocks, as it is taken from the film.
-  FixedRgb lost_light(const RayTask& task, std::size_t feeler) const;
+  void take_back(const RayTask& task, std::size_t& feeler, std::uint64_t blocked, std::uint64_t to_areas,
+                 Contribution& light);
+  /// Finds what passes of the light of those feelers of the block that lead to area lights, and keeps it in shares_; the
+  /// others' shares are what they were. Returns the bits of those feelers.
+  std::uint64_t ask_areas(std::span<const RayTask> tasks);
 
   /// Adds the hit to block_ and surfaces_, unless it takes the light and gives none.
   void meet(const RayTask& task, const Ray& ray, const Hit& hit, Contribution& sum);
@@ -145,13 +140,12 @@ class Stepper {
   /// Adds weight * colour(root) ^ exponent: not a sum over rays, so the subtree is evaluated here, depth first.
   void add_sealed(const Surface& surface, RayTask root, double exponent);
   Rgb trace_sealed(const RayTask& root);
-  /// Share of the light that passes all that is between the feeler's origin and `distance`.
-  Rgb passing_light(std::uint32_t medium, Ray ray, double distance) const;
 
   TraceContext context_;
   std::shared_ptr<const SurfaceTable> table_;
   RadianceBound bound_;
-  bool has_transparent_casters_ = false;
+  Shadow shadow_;
+  std::unique_ptr<AreaShadow> area_shadow_;  ///< null: there are no area lights
   std::vector<LightPlace> light_places_;
   std::unique_ptr<RayBlock> rays_;
   Column<std::int64_t> packed_directions_;
@@ -164,7 +158,7 @@ class Stepper {
   std::vector<LayerLook> looks_;
   std::unique_ptr<HitBlock> block_;
   std::unique_ptr<FeelerBlock> feelers_;
-  std::unique_ptr<SurfacePoints> asked_;  ///< on feelers' way
+  std::array<Rgb, kRaysAtOnce> shares_;  ///< of the block's feelers to area lights
   std::vector<Contribution> light_;
   std::vector<RayTask> spawned_;
   std::unique_ptr<Stepper> sealed_;  ///< made when first needed
