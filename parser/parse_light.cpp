@@ -4,14 +4,18 @@
 #include "parser/parse_surface.h"
 #include "parser/parse_transform.h"
 
+#include <algorithm>
+#include <iterator>
 #include <memory>
 #include <string>
+#include <string_view>
 #include <utility>
 
 namespace firstlight::parser {
 
 using render::Feature;
 using render::Light;
+using render::LightKind;
 using render::Object;
 
 namespace {
@@ -22,7 +26,22 @@ struct Draft {
   Token beam_word, parallel_word, area_word, looks_like_word, projected_through_word;
 };
 
-bool has_axis(const Light& light) { return light.beam != Light::Beam::all || light.parallel; }
+/// What a kind of light begins with.
+struct KindRow {
+  std::string_view word;  ///< of `point` none: its name is no keyword
+  LightKind kind;
+  bool parallel;
+  double radius;
+  double falloff;
+};
+
+constexpr KindRow kKinds[] = {
+#define LIGHT(kind, beam, parallel, radius, falloff) {#kind, LightKind::kind, parallel, radius, falloff},
+#include "render/light/lights.def"
+#undef LIGHT
+};
+
+bool has_axis(const Light& light) { return light.kind != LightKind::point || light.parallel; }
 
 /// Fails when `word` is about the beam of a light that has none.
 void require(Reader& reader, const Token& word, bool met) {
@@ -33,31 +52,30 @@ void require(Reader& reader, const Token& word, bool met) {
 bool accept_beam(Reader& reader, Draft& draft) {
   Light& light = draft.light;
   const Token& word = reader.peek();
-  if (reader.accept(Keyword::shadowless)) {
-    light.shadowless = true;
-    light.beam = Light::Beam::all;
-  } else if (reader.accept(Keyword::spotlight)) {
-    light.shadowless = false;
-    light.beam = Light::Beam::spot;
-    light.radius = 30.0;
-    light.falloff = 45.0;
-    light.tightness = 0.0;
-  } else if (reader.accept(Keyword::cylinder)) {
-    light.shadowless = false;
-    light.beam = Light::Beam::cylinder;
-    light.radius = 0.75;
-    light.falloff = 1.0;
-    light.tightness = 0.0;
-    light.parallel = true;
-    draft.parallel_word = word;
-  } else if (reader.accept(Keyword::parallel)) {
+  if (reader.accept(Keyword::parallel)) {
     light.parallel = true;
     draft.parallel_word = word;
     return true;
-  } else {
-    return false;
   }
+  if (reader.accept(Keyword::shadowless)) {
+    light.shadowless = true;
+    light.kind = LightKind::point;
+    draft.beam_word = word;
+    return true;
+  }
+  const auto row = std::ranges::find(kKinds, word.kind == TokenKind::keyword ? word.text : "", &KindRow::word);
+  if (row == std::end(kKinds)) return false;
+  reader.take();
+  light.shadowless = false;
+  light.kind = row->kind;
+  light.radius = row->radius;
+  light.falloff = row->falloff;
+  light.tightness = 0.0;
   draft.beam_word = word;
+  if (row->parallel) {
+    light.parallel = true;
+    draft.parallel_word = word;
+  }
   return true;
 }
 
@@ -75,7 +93,7 @@ bool accept_axis(Reader& reader, Light& light) {
                                                : nullptr;
   if (number == nullptr) return false;
   reader.take();
-  require(reader, word, light.beam != Light::Beam::all);
+  require(reader, word, light.kind != LightKind::point);
   *number = finite_number(reader, word.text);
   return true;
 }
@@ -93,9 +111,14 @@ void parse_area(Reader& reader, Light& light) {
   reader.skip_comma();
   area.axis2 = finite_vector(reader, "axis of 'area_light'");
   reader.skip_comma();
+  const Token& at = reader.peek();
   area.size1 = parse_size(reader);
   reader.skip_comma();
   area.size2 = parse_size(reader);
+  constexpr int kMostPoints = 1 << 20;
+  if (area.size1 > kMostPoints / area.size2) {
+    reader.fail(at, "an 'area_light' may have at most " + std::to_string(kMostPoints) + " points");
+  }
   light.area = area;
 }
 
@@ -186,14 +209,22 @@ bool accept_rest(Reader& reader, Light& light) {
   return true;
 }
 
+/// Lights that turn are round, if they have points enough. [POV-Ray 3.7]
+void make_oriented_circular(Reader& reader, const Token& word, Light& light) {
+  if (!light.orient || !light.area || light.circular) return;
+  if (light.area->size1 <= 1 || light.area->size2 <= 1) return;
+  reader.warn(word, "an area light with 'orient' is 'circular'");
+  light.circular = true;
+}
+
 /// What the finished light asks for.
 void note_features(Draft& draft) {
   Light& light = draft.light;
   const auto note = [&](bool asked, Feature feature, const Token& word) {
     if (asked) light.unrendered.add(feature_use(feature, word));
   };
-  note(light.beam == Light::Beam::spot, Feature::spotlight, draft.beam_word);
-  note(light.beam == Light::Beam::cylinder, Feature::light_cylinder, draft.beam_word);
+  note(light.kind == LightKind::spotlight, Feature::spotlight, draft.beam_word);
+  note(light.kind == LightKind::cylinder, Feature::light_cylinder, draft.beam_word);
   note(light.parallel, Feature::light_parallel, draft.parallel_word);
   note(light.area.has_value(), Feature::area_light, draft.area_word);
   note(light.looks_like != nullptr, Feature::looks_like, draft.looks_like_word);
@@ -225,6 +256,7 @@ Object parse_light(Reader& reader, SceneContext& context, const Token& word) {
   if (light.circular && (!light.area || light.area->size1 <= 1 || light.area->size2 <= 1)) {
     reader.fail(word, "a 'circular' light needs an 'area_light' of more than one point each way");
   }
+  make_oriented_circular(reader, word, draft.light);
   note_features(draft);
   Object object;
   object.kind = Object::Kind::light;

@@ -42,6 +42,15 @@ void work(Frame& frame, Shared& shared, const TraceOptions& options, std::size_t
   frame.leave();
 }
 
+/// Of a hit: area lights may take one for each of their points.
+std::uint64_t most_feelers(const std::vector<render::Light>& lights) {
+  std::uint64_t sum = 0;
+  for (const render::Light& light : lights) {
+    sum += light.area ? static_cast<std::uint64_t>(light.area->size1) * static_cast<std::uint64_t>(light.area->size2) : 1;
+  }
+  return sum;
+}
+
 TraceStatistics statistics_of(const Frame& frame, const Shared& shared, const std::vector<render::RayCounts>& counts) {
   TraceStatistics statistics;
   for (const render::RayCounts& own : counts) statistics.rays += own;
@@ -95,7 +104,7 @@ TraceResult trace(const render::TraceContext& context, render::Film& film, const
     result.error = reason_of(exception);
   }
   result.statistics.worst_case_rays =
-      worst_case_rays(samples, context.scene.lights.size(), context.scene.settings.max_trace_level);
+      worst_case_rays(samples, most_feelers(context.scene.lights), context.scene.settings.max_trace_level);
   return result;
 }
 

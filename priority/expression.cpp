@@ -72,7 +72,7 @@ constexpr Attribute kAttributes[] = {
     {"light_distance",
      [](const RayTask& t, const SchemeInput& input, const Pixels&) {
        const render::Light* light = light_of(t, input);
-       return light != nullptr ? (light->position - t.origin).length() : 0.0;
+       return light != nullptr ? render::reach_to(*light, t.origin) : 0.0;
      }},
     {"light_intensity",
      [](const RayTask& t, const SchemeInput& input, const Pixels&) -> double {

@@ -99,7 +99,7 @@ SchemePtr make_light_distance(const SchemeInput& input, SchemeText*) {
   return feeler_scheme(kScale.count(),
                        [&scene = *input.scene](const RayTask& task, std::uint32_t light, const PackedRgb&) -> Key {
                          if (light >= scene.lights.size()) return 0;
-                         const double distance = (scene.lights[light].position - task.origin).length();
+                         const double distance = render::reach_to(scene.lights[light], task.origin);
                          return kScale.count() - 1 - kScale.of(static_cast<float>(distance));
                        });
 }

@@ -231,10 +231,13 @@ void find_foreseen_of(const Leaves& leaves, const LightBuffer& buffer, const Fee
   for (std::size_t l = 0; l < lights.size(); l += kTogether) {
     const std::size_t count = std::min(kTogether, lights.size() - l);
     for (std::size_t k = 0; k < count; ++k) {
+      if (!is_one_point(lights[l + k])) continue;
       find_cells(buffer, starts, first + l + k, lights[l + k].position, ways[k]);
     }
     for (std::size_t k = 0; k < count; ++k) {
-      foreseen[l + k] = look_along(leaves, buffer, starts, first + l + k, lights[l + k].position, ways[k]);
+      foreseen[l + k] = is_one_point(lights[l + k])
+                            ? look_along(leaves, buffer, starts, first + l + k, lights[l + k].position, ways[k])
+                            : Foreseen();
     }
   }
 }

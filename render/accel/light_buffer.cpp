@@ -279,7 +279,7 @@ class LightBuffer::Builder {
 };
 
 LightBuffer::LightBuffer(const Leaves& leaves, std::span<const Light> lights) {
-  if (lights.empty() || !all_have_bounds(leaves)) return;
+  if (std::ranges::none_of(lights, is_one_point) || !all_have_bounds(leaves)) return;
   around_.resize(lights.size());
   for (int side = side_for(leaves, lights); side >= kFewestCells; side /= 2) {
     cube_ = CubeCells(side);
@@ -287,7 +287,10 @@ LightBuffer::LightBuffer(const Leaves& leaves, std::span<const Light> lights) {
     tiles_.assign(lights.size() * tiles_of_cube(), 0);
     Builder builder(*this, leaves);
     std::size_t l = 0;
-    while (l < lights.size() && !Interrupt::asked() && builder.mark_cube(l, lights[l].position)) ++l;
+    while (l < lights.size() && !Interrupt::asked() &&
+           (!is_one_point(lights[l]) || builder.mark_cube(l, lights[l].position))) {
+      ++l;
+    }
     if (l == lights.size()) {
       mark_open_tiles();
       keep_spheres(leaves);
@@ -310,6 +313,7 @@ int LightBuffer::side_for(const Leaves& leaves, std::span<const Light> lights) {
   std::size_t marks = 0;
   for (const Light& light : lights) {
     if (Interrupt::asked()) break;
+    if (!is_one_point(light)) continue;
     marks += builder.measure(light.position, far_too_many - std::min(marks, far_too_many));
   }
   for (; side > kFewestCells && marks > most; marks /= 4) side /= 2;

@@ -46,7 +46,7 @@ class LightBuffer {
     double radius_squared;
   };
 
-  /// Pre: the lights are points.
+  /// Lights that are no points have cubes in which nothing is marked: nobody may ask about them.
   LightBuffer(const Leaves& leaves, std::span<const Light> lights);
 
   /// False where nothing can be told.

@@ -1,12 +1,13 @@
 #pragma once
 
 #include "render/feature/feature.h"
+#include "render/light/light_kind.h"
 #include "render/math/color.h"
 #include "render/math/transform.h"
 #include "render/math/vec.h"
 
+#include <algorithm>
 #include <cmath>
-#include <cstdint>
 #include <memory>
 #include <optional>
 
@@ -25,16 +26,13 @@ struct AreaLight {
 /// A light that shines in all directions, or as the further members say. Plain data.
 /// Source   POV-Ray 3.7 manual, "Light Source".
 struct Light {
-  /// Shape of the beam: all directions, a cone, a cylinder.
-  enum class Beam : std::uint8_t { all, spot, cylinder };
-
   Vec3 position{0.0, 0.0, 0.0};
   Rgb color{1.0f, 1.0f, 1.0f};
   bool shadowless = false;     ///< lights without being blocked, and gives no highlights
   double fade_distance = 0.0;  ///< scene units
   double fade_power = 0.0;     ///< 0: no fading
 
-  Beam beam = Beam::all;
+  LightKind kind = LightKind::point;
   bool parallel = false;         ///< all rays have the direction from `position` to `point_at`
   Vec3 point_at{0.0, 0.0, 1.0};  ///< where the beam's axis leads
   /// Full light within `radius` of the axis, none beyond `falloff`. Units: degrees of a spot, scene units of a
@@ -61,6 +59,34 @@ struct Light {
   std::shared_ptr<const Object> projected_through = {};  ///< the same: light is only where it has come through this
   FeatureUses unrendered = {};
 };
+
+/// The way from a point to a light. Feelers that go to one light go where their light has come from.
+struct LightAim {
+  Vec3 direction;  ///< unit; zero in the light itself
+  double depth;    ///< along the direction; below 0 behind a parallel light, which shines there and is not blocked
+};
+
+/// From `point` to a light that is at `place`: its position, or a point of its area.
+inline LightAim aim_at(const Light& light, const Vec3& place, const Vec3& point) {
+  const Vec3 way = place - point;
+  if (light.parallel) {
+    const Vec3 axis = unit(place - light.point_at);
+    return {axis, way.dot(axis)};
+  }
+  const double distance = way.length();
+  return {distance > 0.0 ? way * (1.0 / distance) : Vec3(0.0), distance};
+}
+
+/// How far a feeler from `point` reaches.
+inline double reach_to(const Light& light, const Vec3& point) {
+  return std::max(0.0, aim_at(light, light.position, point).depth);
+}
+
+/// Whether feelers lead to one point, wherever they begin.
+inline bool is_one_point(const Light& light) { return !light.parallel && !light.area; }
+
+/// Whether each point of the light's area lights for itself, and not only casts its shadow.
+inline bool has_spread_light(const Light& light) { return light.area && light.area_illumination; }
 
 /// Whether the light is weaker far away.
 inline bool fades(const Light& light) {

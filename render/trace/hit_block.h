@@ -2,6 +2,7 @@
 
 #include "render/accel/accel.h"
 #include "render/accel/ray_block.h"
+#include "render/light/arrival.h"
 #include "render/light/light.h"
 #include "render/trace/ray_task.h"
 
@@ -60,6 +61,9 @@ struct HitBlock {
     layer_count = 0;
   }
 
+  std::vector<Arrival> arrivals;               ///< room for those of lights that are not plain
+  std::vector<Columns3<double>> spread_light;  ///< the same of area lights whose points light one by one
+
   bool feelers_may_gain = false;  ///< what they cross may make more light of theirs: RadianceBound::most_of_feelers()
   std::array<Foreseen, kLightsAtOnce> foreseen{};  ///< of the feelers to each light
 
@@ -82,8 +86,9 @@ void begin_light(HitBlock& block);
 /// diffuse, phong and specular terms; see light_block.cpp.
 void light_hits(HitBlock& block, std::span<const Light> lights);
 
-/// Where a light is; the fourth number is unused.
-using LightPlace = std::array<double, 4>;
+/// Where feelers to a light lead: its position, 0, and nothing; of parallel ones its position, 1, and the direction to it.
+using LightPlace = std::array<double, 8>;
+LightPlace place_of(const Light& light);
 
 /// Feelers side by side. Plain data.
 struct FeelerBlock {

@@ -12,6 +12,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "render/light/area_grid.h"
 #include "render/trace/packing-inl.h"
 #include "render/trace/power-inl.h"
 
@@ -244,6 +245,37 @@ void begin_light_of(HitBlock& block) {
   }
 }
 
+HWY_INLINE Vec color_of(const Light& light) {
+  const D d;
+  return {hn::Set(d, double{light.color.x}), hn::Set(d, double{light.color.y}), hn::Set(d, double{light.color.z})};
+}
+
+/// What all layers make of white light, times the ray's weight.
+HWY_INLINE Vec terms_of(const HitBlock& block, std::size_t i, const Lit& lit, const Vec& normal, const Vec& mirrored) {
+  Vec terms = layer_term_of(block, block.layers[0], i, lit, normal, mirrored);
+  for (std::size_t k = 1; k < block.layer_count; ++k) {
+    terms = terms + layer_term_of(block, block.layers[k], i, lit, normal, mirrored);
+  }
+  return terms;
+}
+
+/// Adds what the hits make of light that is white and comes as `arrival` says.
+void add_arrival_of(const HitBlock& block, const Arrival& arrival, bool highlights, Columns3<double>& sum) {
+  const D d;
+  for (std::size_t i = 0; i < block.size; i += hn::Lanes(d)) {
+    const Vec normal = load(block.normal, i);
+    Lit lit;
+    lit.used = hn::FirstN(d, block.size - i);
+    lit.to_light = load(arrival.direction, i);
+    lit.cosine = dot(normal, lit.to_light);
+    lit.behind = hn::Lt(lit.cosine, load(block.lit_from, i));
+    lit.highlights = highlights;
+    const Vec terms = terms_of(block, i, lit, normal, mirrored_at(block, normal, i));
+    const V share = load(arrival.share, i);
+    store(load(sum, i) + only_where(hn::Ne(share, hn::Zero(d)), terms * share), sum, i);
+  }
+}
+
 void light_hits_of(HitBlock& block, std::span<const Light> lights) {
   const D d;
   constexpr double kNegligible = 1e-10;
@@ -259,22 +291,24 @@ void light_hits_of(HitBlock& block, std::span<const Light> lights) {
     AtStake at_stake;
     for (std::size_t l = 0; l < lights.size(); ++l) {
       const Light& light = lights[l];
-      const Vec way = position_of(light) - point;
-      const V distance = hn::Sqrt(dot(way, way));
-      Vec color{hn::Set(d, double{light.color.x}), hn::Set(d, double{light.color.y}),
-                hn::Set(d, double{light.color.z})};
-      if (fades(light)) color = color * fading_at(light, distance);
-      lit.to_light = way * inverse_or_zero(distance);
+      const bool is_spread = has_spread_light(light);
+      Vec color = color_of(light);
+      if (is_plain(light)) {
+        const Vec way = position_of(light) - point;
+        const V distance = hn::Sqrt(dot(way, way));
+        if (fades(light) && !is_spread) color = color * fading_at(light, distance);
+        lit.to_light = way * inverse_or_zero(distance);
+      } else {
+        if (!is_spread) color = color * load(block.arrivals[l].share, i);
+        lit.to_light = load(block.arrivals[l].direction, i);
+      }
       lit.cosine = dot(normal, lit.to_light);
       lit.behind = hn::Lt(lit.cosine, load(block.lit_from, i));
       lit.highlights = !light.shadowless;
-      if (!block.lit_from_behind && hn::AllFalse(d, hn::AndNot(lit.behind, lit.used))) {
+      if (!is_spread && !block.lit_from_behind && hn::AllFalse(d, hn::AndNot(lit.behind, lit.used))) {
         continue;
       }
-      Vec term = layer_term_of(block, block.layers[0], i, lit, normal, mirrored);
-      for (std::size_t k = 1; k < block.layer_count; ++k) {
-        term = term + layer_term_of(block, block.layers[k], i, lit, normal, mirrored);
-      }
+      const Vec term = is_spread ? load(block.spread_light[l], i) : terms_of(block, i, lit, normal, mirrored);
       const Mask shines =
           hn::Ge(hn::Max(hn::Abs(color.x), hn::Max(hn::Abs(color.y), hn::Abs(color.z))), hn::Set(d, kNegligible));
       color = only_where(shines, color * term);
@@ -312,13 +346,20 @@ void aim_feelers_at(FeelerBlock& block, std::span<const LightPlace> lights) {
   RayBlock& rays = block.rays;
   for (std::size_t i = 0; i < rays.size; i += hn::Lanes(d)) {
     const auto used = hn::RebindMask(di, hn::FirstN(d, rays.size - i));
-    const auto place = hn::ShiftLeft<2>(hn::IfThenElseZero(used, load(block.light, i)));
-    const Vec position{hn::GatherIndex(d, places, place), hn::GatherIndex(d, places + 1, place),
-                       hn::GatherIndex(d, places + 2, place)};
-    const Vec way = position - load(rays.origin, i);
-    const V distance = hn::Sqrt(dot(way, way));
+    const auto place = hn::ShiftLeft<3>(hn::IfThenElseZero(used, load(block.light, i)));
+    const auto number = [&](int k) HWY_ATTR { return hn::GatherIndex(d, places + k, place); };
+    const Vec way = Vec{number(0), number(1), number(2)} - load(rays.origin, i);
+    V distance = hn::Sqrt(dot(way, way));
+    Vec direction = way * inverse_or_zero(distance);
+    const Mask parallel = hn::Gt(number(3), hn::Zero(d));
+    if (any(parallel)) {
+      const Vec axis{number(4), number(5), number(6)};
+      distance = hn::IfThenElse(parallel, dot(way, axis), distance);
+      direction = {hn::IfThenElse(parallel, axis.x, direction.x), hn::IfThenElse(parallel, axis.y, direction.y),
+                   hn::IfThenElse(parallel, axis.z, direction.z)};
+    }
     const V gap = hn::Set(d, kShadowGap);
-    store(way * inverse_or_zero(distance), rays.direction, i);
+    store(direction, rays.direction, i);
     store(gap, rays.min_depth, i);
     store(hn::Sub(distance, gap), rays.max_depth, i);
     store(hn::Set(di, kHiddenFromShadow), rays.hidden_bit, i);
@@ -342,9 +383,15 @@ void unpack_directions_of(const Column<std::int64_t>& packed, std::size_t count,
 HWY_AFTER_NAMESPACE();
 
 #if HWY_ONCE
+#include "render/math/interrupt.h"
+
+#include <memory>
+#include <vector>
+
 namespace firstlight::render {
 
 HWY_EXPORT(begin_light_of);
+HWY_EXPORT(add_arrival_of);
 HWY_EXPORT(light_hits_of);
 HWY_EXPORT(aim_feelers_at);
 HWY_EXPORT(weigh_feelers_of);
@@ -352,7 +399,53 @@ HWY_EXPORT(unpack_directions_of);
 
 void begin_light(HitBlock& block) { HWY_DYNAMIC_DISPATCH(begin_light_of)(block); }
 
-void light_hits(HitBlock& block, std::span<const Light> lights) { HWY_DYNAMIC_DISPATCH(light_hits_of)(block, lights); }
+namespace {
+
+/// Adds up what the hits make of a white light that is spread over an area, each point of it lighting for itself.
+void find_spread_light(HitBlock& block, const Light& light, Columns3<double>& sum) {
+  for (Column<double>& column : sum.of) std::fill_n(column.at.begin(), block.capacity, 0.0);
+  const AreaLight& area = *light.area;
+  std::vector<AreaGrid> grids;
+  grids.reserve(block.size);
+  for (std::size_t i = 0; i < block.size; ++i) {
+    grids.emplace_back(light, block.point.vector(i), AreaGrid::Use::illumination);
+  }
+  const double part = 1.0 / (static_cast<double>(area.size1) * static_cast<double>(area.size2));
+  const auto arrival = std::make_unique_for_overwrite<Arrival>();
+  const auto places = std::make_unique_for_overwrite<Columns3<double>>();
+  for (int v = 0; v < area.size2; ++v) {
+    for (int u = 0; u < area.size1 && !Interrupt::asked(); ++u) {
+      for (std::size_t i = 0; i < block.size; ++i) places->set(i, grids[i].place(u, v));
+      arrive(light, block.point, block.size, places.get(), *arrival);
+      for (std::size_t i = 0; i < block.size; ++i) arrival->share[i] *= part;
+      HWY_DYNAMIC_DISPATCH(add_arrival_of)(block, *arrival, !light.shadowless, sum);
+    }
+  }
+}
+
+}  // namespace
+
+void light_hits(HitBlock& block, std::span<const Light> lights) {
+  for (std::size_t l = 0; l < lights.size(); ++l) {
+    const Light& light = lights[l];
+    if (!is_plain(light)) {
+      if (block.arrivals.empty()) block.arrivals.resize(kLightsAtOnce);
+      arrive(light, block.point, block.size, nullptr, block.arrivals[l]);
+    }
+    if (has_spread_light(light)) {
+      if (block.spread_light.empty()) block.spread_light.resize(kLightsAtOnce);
+      find_spread_light(block, light, block.spread_light[l]);
+    }
+  }
+  HWY_DYNAMIC_DISPATCH(light_hits_of)(block, lights);
+}
+
+LightPlace place_of(const Light& light) {
+  const Vec3& at = light.position;
+  if (!light.parallel) return {at.x, at.y, at.z};
+  const Vec3 axis = aim_at(light, at, at).direction;
+  return {at.x, at.y, at.z, 1.0, axis.x, axis.y, axis.z};
+}
 
 void aim_feelers(FeelerBlock& block, std::span<const LightPlace> lights) {
   HWY_DYNAMIC_DISPATCH(aim_feelers_at)(block, lights);

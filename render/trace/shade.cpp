@@ -4,6 +4,7 @@
 #include "render/trace/fade.h"
 #include "render/trace/local_light.h"
 #include "render/trace/step.h"
+#include "render/trace/worn_textures.h"
 
 #include <algorithm>
 #include <bit>
@@ -85,7 +86,7 @@ void Stepper::meet(const RayTask& task, const Ray& ray, const Hit& hit, const Rg
   surface.layer_count = 0;
   surface.own_light = Rgb(0.0f);
   surface.open_record = kNoRecord;
-  for_each_texture(part, point, crossing, from_inside,
+  for_each_texture(context_.scene, point, crossing, from_inside, worn_,
                    [&](std::uint32_t texture, double share) { wear(i, texture, share); });
 }
 

@@ -1,7 +1,6 @@
 #include "render/trace/step.h"
 
 #include "render/math/interrupt.h"
-#include "render/trace/fade.h"
 #include "render/trace/surface_limits.h"
 
 #include <algorithm>
@@ -47,14 +46,13 @@ Stepper::Stepper(const TraceContext& context, std::shared_ptr<const SurfaceTable
       table_(std::move(surfaces)),
       veils_of_scene_(context.scene),
       bound_(context.scene, context.camera()),
-      has_transparent_casters_(std::any_of(context.scene.parts.begin(), context.scene.parts.end(),
-                                           [](const Part& part) { return !part.opaque; })),
+      shadow_(context, *table_),
       rays_(std::make_unique<RayBlock>()),
       block_(std::make_unique<HitBlock>()),
-      feelers_(std::make_unique<FeelerBlock>()),
-      asked_(std::make_unique<SurfacePoints>()) {
+      feelers_(std::make_unique<FeelerBlock>()) {
   for (const Light& light : context.scene.lights) {
-    light_places_.push_back({light.position.x, light.position.y, light.position.z, 0.0});
+    light_places_.push_back(place_of(light));
+    if (light.area && !area_shadow_) area_shadow_ = std::make_unique<AreaShadow>(context.scene, shadow_);
   }
   block_->feelers_may_gain = !bound_.known();
   rays_->min_depth.at.fill(kNearestHit);
@@ -158,96 +156,67 @@ void Stepper::step_shadow(std::span<const RayTask> tasks, std::span<Contribution
     }
     counts_.of(RayKind::shadow) += block.size();
     aim_feelers(block, light_places_);
+    const std::uint64_t to_areas = area_shadow_ ? ask_areas(tasks.subspan(first, end - first)) : 0;
     const std::uint64_t blocked = context_.accel.occluded(block.rays);
     weigh_feelers(block);
     std::size_t feeler = 0;
-    for (; first < end; ++first) take_back(tasks[first], feeler, blocked, light[first]);
+    for (; first < end; ++first) take_back(tasks[first], feeler, blocked, to_areas, light[first]);
   }
 }
 
-void Stepper::take_back(const RayTask& task, std::size_t& feeler, std::uint64_t blocked, Contribution& light) const {
+std::uint64_t Stepper::ask_areas(std::span<const RayTask> tasks) {
+  FeelerBlock& block = *feelers_;
+  std::uint64_t to_areas = 0;
+  std::vector<AreaShadow::Feeler> asked;
+  std::size_t feeler = 0;
+  for (const RayTask& task : tasks) {
+    task.for_each_feeler([&](std::uint32_t light, PackedRgb) {
+      const std::size_t i = feeler++;
+      if (!context_.scene.lights[light].area) return;
+      to_areas |= std::uint64_t{1} << i;
+      asked.push_back({task.origin, light, task.medium});
+      block.rays.max_depth[i] = 0.0;  // it is asked here
+    });
+  }
+  std::array<Rgb, kRaysAtOnce> found;
+  const std::uint64_t rays = area_shadow_->find(asked, std::span(found).first(asked.size()));
+  counts_.of(RayKind::shadow) += rays;
+  counts_.of(RayKind::shadow) -= asked.size();
+  std::size_t k = 0;
+  for (std::uint64_t bits = to_areas; bits != 0; bits &= bits - 1) {
+    shares_[static_cast<std::size_t>(std::countr_zero(bits))] = found[k++];
+  }
+  return to_areas;
+}
+
+void Stepper::take_back(const RayTask& task, std::size_t& feeler, std::uint64_t blocked, std::uint64_t to_areas,
+                        Contribution& light) {
   FixedRgb taken;
   FixedRgb at_stake;
+  const RayBlock& rays = feelers_->rays;
   const std::size_t end = feeler + static_cast<std::size_t>(task.ray_count());
   const std::int64_t count = task.ray_count();
   for (; feeler < end; ++feeler) {
     const auto& steps = feelers_->steps.of;
     const FixedRgb held{steps[0][feeler], steps[1][feeler], steps[2][feeler]};
     at_stake += {std::abs(held.r), std::abs(held.g), std::abs(held.b)};
+    Rgb passed(1.0f);
     if ((blocked >> feeler & 1u) != 0) {
+      passed = Rgb(0.0f);
+    } else if ((to_areas >> feeler & 1u) != 0) {
+      passed = shares_[feeler];
+    } else if (shadow_.has_transparent_casters()) {
+      const Ray ray{task.origin, rays.direction.vector(feeler)};
+      passed = shadow_.passing_light(task.medium, ray, rays.max_depth[feeler] + kShadowGap);
+    }
+    if (passed == Rgb(1.0f)) continue;
+    if (passed == Rgb(0.0f)) {
       taken -= held;
-    } else if (has_transparent_casters_) {
-      taken += lost_light(task, feeler);
+    } else {
+      taken += FixedRgb::from(PackedRgb::from_bits(feelers_->at_stake[feeler]).unpack() * (passed - Rgb(1.0f)));
     }
   }
   light = {task.sample, taken, -(count + bound_.most_of_feelers(at_stake.max_magnitude()))};
-}
-
-FixedRgb Stepper::lost_light(const RayTask& task, std::size_t feeler) const {
-  const RayBlock& rays = feelers_->rays;
-  const Ray ray{task.origin, rays.direction.vector(feeler)};
-  const Rgb passed = passing_light(task.medium, ray, rays.max_depth[feeler] + kShadowGap);
-  if (passed == Rgb(1.0f)) return {};
-  return FixedRgb::from(PackedRgb::from_bits(feelers_->at_stake[feeler]).unpack() * (passed - Rgb(1.0f)));
-}
-
-bool Stepper::filter_light(const Hit& hit, const Ray& ray, Rgb& light) const {
-  const Part& part = context_.scene.parts[hit.part];
-  const Vec3 point = ray.at(hit.depth);
-  const Crossing crossing = hit.crossing();
-  const bool from_inside =
-      part.interior_texture != kNoIndex && hit.shape->normal(point, crossing).dot(ray.direction) > 0.0;
-  bool found = part.has_shape_textures;
-  Rgb sum(0.0f);
-  for_each_texture(part, point, crossing, from_inside, [&](std::uint32_t texture, double share) {
-    found = true;
-    asked_->size = 1;
-    asked_->at.set(0, point);
-    asked_->direction.set(0, ray.direction);
-    asked_->on_surface = part.uv_mapping || table_->goes_by_uv(texture);
-    if (asked_->on_surface) {
-      const Vec3 normal = hit.shape->normal(point, crossing);
-      asked_->normal.set(0, normal.dot(ray.direction) > 0.0 ? -normal : normal);
-      asked_->tilted.set(0, asked_->normal.vector(0));
-      const Vec2 uv = hit.shape->uv(point, crossing);
-      asked_->u[0] = uv.x;
-      asked_->v[0] = uv.y;
-      if (part.uv_mapping) asked_->at.set(0, Vec3(uv.x, uv.y, 0.0));
-    }
-    if (!part.has_shape_textures) return table_->filter(texture, *asked_, {&light, 1});
-    Rgb tint(1.0f);
-    table_->filter(texture, *asked_, {&tint, 1});
-    sum += tint * static_cast<float>(share);
-  });
-  if (part.has_shape_textures) light *= sum;
-  return found;
-}
-
-Rgb Stepper::passing_light(std::uint32_t medium, Ray ray, double distance) const {
-  const Scene& scene = context_.scene;
-  MediumTable& media = context_.media;
-  Rgb passed(1.0f);
-  while (distance > 2.0 * kShadowGap && !is_black(passed) && !Interrupt::asked()) {
-    const RayQuery query{ray, kShadowGap, distance - kShadowGap, kHiddenFromShadow};
-    Hit hit;
-    context_.accel.closest({&query, 1}, {&hit, 1});
-    if (hit.part == kNoIndex) break;
-    const Part& part = scene.parts[hit.part];
-    if (part.opaque) return Rgb(0.0f);  // was nearer than the gap to the origin before the ray moved on
-    const Vec3 point = ray.at(hit.depth);
-    if (filter_light(hit, ray, passed)) {
-      const Interior& interior = scene.interiors[part.interior];
-      if (interior.fade_power > 0.0 && std::abs(interior.fade_distance) > kNegligible &&
-          media.contains(medium, part.interior)) {
-        passed *= faded_light(interior, hit.depth);
-      }
-    }
-    medium = media.contains(medium, part.interior) ? media.left(medium, part.interior)
-                                                   : media.entered(medium, part.interior);
-    distance -= hit.depth;
-    ray.origin = point;
-  }
-  return passed;
 }
 
 void Stepper::add_sealed(const Surface& surface, RayTask root, double exponent) {

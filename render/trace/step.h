@@ -5,10 +5,13 @@
 #include "render/scene/scene.h"
 #include "render/surface/sky.h"
 #include "render/surface/surface_table.h"
+#include "render/trace/area_shadow.h"
 #include "render/trace/hit_block.h"
 #include "render/trace/medium_table.h"
 #include "render/trace/radiance_bound.h"
 #include "render/trace/ray_task.h"
+#include "render/trace/shadow.h"
+#include "render/trace/trace_context.h"
 #include "render/trace/veil.h"
 
 #include <array>
@@ -32,16 +35,6 @@ struct RayCounts {
   std::uint64_t traced() const { return total() - clear - blocked; }
   RayCounts& operator+=(const RayCounts& other);
   RayCounts operator-(const RayCounts& before) const;
-};
-
-/// What tracing reads: the scene, its hierarchy, and the shared table of media.
-struct TraceContext {
-  const Scene& scene;
-  const Accel& accel;
-  MediumTable& media;
-  const Camera* other_camera = nullptr;  ///< to look at the scene by instead of its own
-
-  const Camera& camera() const { return other_camera != nullptr ? *other_camera : scene.camera; }
 };
 
 /// One worker's tracing step: nearest hits of a batch of tasks, then local shading. It never recurses along a ray tree
@@ -122,32 +115,16 @@ class Stepper {
 
   /// What the feelers of a record change, from number `feeler` of the block on; `blocked` are the bits of those that
   /// something opaque blocks.
-  void take_back(const RayTask& task, std::size_t& feeler, std::uint64_t blocked, Contribution& light) const;
-  /// What transparent things keep of a feeler's light that nothing opaque blocks, as it is taken from the film.
-  FixedRgb lost_light(const RayTask& task, std::size_t feeler) const;
+  void take_back(const RayTask& task, std::size_t& feeler, std::uint64_t blocked, std::uint64_t to_areas,
+                 Contribution& light);
+  /// Finds what passes of the light of those feelers of the block that lead to area lights, and keeps it in shares_; the
+  /// others' shares are what they were. Returns the bits of those feelers.
+  std::uint64_t ask_areas(std::span<const RayTask> tasks);
 
   /// Adds the hit to block_ and surfaces_, unless it takes the light and gives none.
   void meet(const RayTask& task, const Ray& ray, const Hit& hit, const Rgb& weight, Contribution& sum);
   /// One texture of a hit, and its share of how the hit looks.
   void wear(std::size_t hit, std::uint32_t texture, double share);
-  /// Calls visit(texture, share) for the textures that are seen at a hit.
-  template <class Visit>
-  void for_each_texture(const Part& part, const Vec3& point, const Crossing& crossing, bool from_inside,
-                        const Visit& visit) const {
-    if (from_inside && part.interior_texture != kNoIndex) return visit(part.interior_texture, 1.0);
-    if (!part.has_shape_textures) {
-      if (part.texture != kNoIndex) visit(part.texture, 1.0);
-      return;
-    }
-    shares_.clear();
-    crossing.shape->textures(point, crossing, shares_);
-    for (const TextureShare& share : shares_) {
-      const std::uint32_t texture = share.texture == kObjectTexture
-                                        ? part.texture
-                                        : context_.scene.shape_textures[part.shape_textures + share.texture];
-      if (texture != kNoIndex && !(share.weight < context_.scene.settings.adc_bailout)) visit(texture, share.weight);
-    }
-  }
   /// Asks textures that differ from point to point, each for all of its hits.
   void meet_uneven();
   /// Lays a coat on a hit. `looks`: of its layers, at point `lane`; none where `kIsEven`, as the coat then is.
@@ -175,16 +152,13 @@ class Stepper {
   /// Adds weight * colour(root) ^ exponent: not a sum over rays, so the subtree is evaluated here, depth first.
   void add_sealed(const Surface& surface, RayTask root, double exponent);
   Rgb trace_sealed(const RayTask& root);
-  /// Multiplies light by what passes where a feeler meets a surface. False: there is no texture.
-  bool filter_light(const Hit& hit, const Ray& ray, Rgb& light) const;
-  /// Share of the light that passes all that is between the feeler's origin and `distance`.
-  Rgb passing_light(std::uint32_t medium, Ray ray, double distance) const;
 
   TraceContext context_;
   std::shared_ptr<const SurfaceTable> table_;
   Veils veils_of_scene_;
   RadianceBound bound_;
-  bool has_transparent_casters_ = false;
+  Shadow shadow_;
+  std::unique_ptr<AreaShadow> area_shadow_;  ///< null: there are no area lights
   std::vector<LightPlace> light_places_;
   std::unique_ptr<RayBlock> rays_;
   Column<std::int64_t> packed_directions_;
@@ -194,12 +168,12 @@ class Stepper {
   std::vector<Mirror> mirrors_;
   std::vector<Coating> coatings_;
   std::vector<Uneven> uneven_;
-  mutable std::vector<TextureShare> shares_;
+  std::vector<TextureShare> worn_;  ///< at the hit at hand
   std::vector<std::unique_ptr<CoatPoints>> coats_;
   std::vector<LayerLook> looks_;
   std::unique_ptr<HitBlock> block_;
   std::unique_ptr<FeelerBlock> feelers_;
-  std::unique_ptr<SurfacePoints> asked_;  ///< on feelers' way
+  std::array<Rgb, kRaysAtOnce> shares_;  ///< of the block's feelers to area lights
   std::vector<Contribution> light_;
   std::vector<RayTask> spawned_;
   std::unique_ptr<Stepper> sealed_;  ///< made when first needed

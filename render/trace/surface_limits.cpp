@@ -97,8 +97,11 @@ void Maker::add_lights() {
   for (const Light& light : scene_.lights) {
     double factor = 1.0;
     if (light.fade_power > 0.0 && std::abs(light.fade_distance) > kNegligible) {
-      factor = 2.0 * usual(light.fade_distance > 0.0);
+      // Behind a parallel light the distance is negative, and only its even powers are not.
+      const bool is_bounded = light.fade_distance > 0.0 && (!light.parallel || std::fmod(light.fade_power, 2.0) == 0.0);
+      factor = 2.0 * usual(is_bounded);
     }
+    if (light.kind != LightKind::point) factor *= usual(light.tightness >= 0.0);
     const Channels color = channels_of(light.color);
     for (std::size_t i = 0; i < 3; ++i) {
       diffuse_lights_[i] += std::abs(color[i]) * factor;

@@ -34,7 +34,7 @@ class CompareMany : public ::testing::Test {
     fs::create_directories(scratch_ / "scenes/deep");
     scratch_.write("scenes/a_good.pov", std::string(kRoom) + "#include \"ball.inc\"");
     scratch_.write("scenes/ball.inc", "sphere { 0, 1 pigment { rgb 1 } }");
-    scratch_.write("scenes/b_lacks.pov", std::string(kRoom) + "fog { distance 9 rgb 1 }");
+    scratch_.write("scenes/b_lacks.pov", std::string(kRoom) + "media { emission 0.1 }");
     scratch_.write("scenes/c_hangs.pov", std::string(kRoom) + "sphere { 0, 1 pigment { rgb 1 } }");
     scratch_.write("scenes/d_crashes.pov", std::string(kRoom) + "box { -1, 1 pigment { rgb 1 } }");
     scratch_.write("scenes/deep/broken.pov", "sphere { 0, 1\nbox { 0, 1 }");

@@ -34,7 +34,7 @@ class CompareReport : public ::testing::Test {
     scratch_.write("scenes/differs.pov", std::string(kRoom) +
                                              "sphere { 0, 1 pigment { rgb 1 } }\n#ifdef (Other) box { <-3, -3, 2>, 3 "
                                              "pigment { rgb <1, 0, 0> } } #end");
-    scratch_.write("scenes/lacks.pov", std::string(kRoom) + "fog { distance 9 rgb 1 }");
+    scratch_.write("scenes/lacks.pov", std::string(kRoom) + "media { emission 0.1 }");
     const fs::path povray = scratch_.write("povray", "#!/bin/sh\nexec povray \"$@\" Declare=Other=1\n");
     fs::permissions(povray, fs::perms::owner_all);
   }

@@ -4,6 +4,7 @@ namespace firstlight::parser {
 namespace {
 
 using render::Light;
+using render::LightKind;
 using render::Vec3;
 
 Light light_of(const std::string& rest) {
@@ -13,7 +14,7 @@ std::string mistake(const std::string& rest) { return parsed_object("light_sourc
 
 TEST(ParseLight, DefaultsArePovRays) {
   const Light light = light_of("");
-  EXPECT_EQ(light.beam, Light::Beam::all);
+  EXPECT_EQ(light.kind, LightKind::point);
   EXPECT_FALSE(light.parallel || light.shadowless || light.area || light.jitter || light.circular || light.orient);
   EXPECT_EQ(light.adaptive, 100);
   EXPECT_FALSE(light.media_attenuation);
@@ -24,7 +25,7 @@ TEST(ParseLight, DefaultsArePovRays) {
 
 TEST(ParseLight, SpotlightHasAConeAroundItsAxis) {
   const Light plain = light_of("spotlight");
-  EXPECT_EQ(plain.beam, Light::Beam::spot);
+  EXPECT_EQ(plain.kind, LightKind::spotlight);
   EXPECT_EQ(plain.radius, 30.0);
   EXPECT_EQ(plain.falloff, 45.0);
   EXPECT_EQ(plain.tightness, 0.0);
@@ -38,7 +39,7 @@ TEST(ParseLight, SpotlightHasAConeAroundItsAxis) {
 
 TEST(ParseLight, CylinderIsParallel) {
   const Light light = light_of("cylinder point_at 0");
-  EXPECT_EQ(light.beam, Light::Beam::cylinder);
+  EXPECT_EQ(light.kind, LightKind::cylinder);
   EXPECT_TRUE(light.parallel);
   EXPECT_EQ(light.radius, 0.75);
   EXPECT_EQ(light.falloff, 1.0);
@@ -46,7 +47,7 @@ TEST(ParseLight, CylinderIsParallel) {
 }
 
 TEST(ParseLight, LastWordAboutTheBeamCounts) {
-  EXPECT_EQ(light_of("spotlight shadowless").beam, Light::Beam::all);
+  EXPECT_EQ(light_of("spotlight shadowless").kind, LightKind::point);
   EXPECT_TRUE(light_of("spotlight shadowless").shadowless);
   EXPECT_FALSE(light_of("shadowless spotlight").shadowless);
 }

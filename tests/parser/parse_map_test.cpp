@@ -117,6 +117,23 @@ class PictureFile {
   std::string name_;
 };
 
+/// One density of 8 bits. Its size comes first, high bytes before low ones.
+class DensityFile {
+ public:
+  explicit DensityFile(std::string name) : name_(std::move(name)) {
+    const char bytes[] = {0, 1, 0, 1, 0, 1, 100};
+    std::ofstream(name_, std::ios::binary).write(bytes, sizeof(bytes));
+  }
+  ~DensityFile() {
+    std::error_code ignored;
+    std::filesystem::remove(name_, ignored);
+  }
+  std::string quoted() const { return "\"" + name_ + "\""; }
+
+ private:
+  std::string name_;
+};
+
 TEST(ParseImage, ImageMapsTellHowTheyAreLaid) {
   const PictureFile file("firstlight_parse_image.png");
   const auto pigment =
@@ -208,7 +225,7 @@ TEST(ParseImage, OnlyImageMapsAreStrictAboutTheirProjection) {
 }
 
 TEST(ParseImage, DensityFilesAreFoundToo) {
-  const PictureFile file("firstlight_parse_image.df3");
+  const DensityFile file("firstlight_parse_image.df3");
   const auto pigment = pigment_of("density_file df3 " + file.quoted() + " interpolate 1");
   EXPECT_TRUE(says(parameters<render::DensityFileParameters>(pigment.pattern).path, "firstlight_parse_image.df3"));
   EXPECT_EQ(parameters<render::DensityFileParameters>(pigment.pattern).interpolation, 1);

@@ -1,3 +1,4 @@
+#include "render/light/area_grid.h"
 #include "render/math/fixed_rgb.h"
 #include "render/scene/scene_builder.h"
 #include "render/trace/hit_block.h"
@@ -8,6 +9,7 @@
 #include <gtest/gtest.h>
 #include <hwy/targets.h>
 
+#include <algorithm>
 #include <bit>
 #include <cmath>
 #include <functional>
@@ -56,7 +58,44 @@ struct LitHit {
   }
 
   Rgb lit_by(const Light& light) const {
-    const Vec3 to_light = (light.position - point).normalized();
+    if (!has_spread_light(light)) return lit_from(light, light.position);
+    const AreaGrid grid(light, point, AreaGrid::Use::illumination);
+    const auto points = static_cast<float>(light.area->size1 * light.area->size2);
+    Rgb sum(0.0f);
+    for (int u = 0; u < light.area->size1; ++u) {
+      for (int v = 0; v < light.area->size2; ++v) sum += lit_from(light, grid.place(u, v)) * (1.0f / points);
+    }
+    return sum;
+  }
+
+  /// What the beam and the distance leave of a light that is at `place`, by the manual.
+  double arriving(const Light& light, const Vec3& place) const {
+    const Vec3 axis = (light.point_at - light.position).normalized();
+    const Vec3 along = light.parallel ? (light.point_at - place).normalized() : (point - place).normalized();
+    const double depth = (point - place).dot(along);
+    const auto soft = [](double low, double high, double x) {
+      const double t = std::clamp((x - low) / (high - low), 0.0, 1.0);
+      return t * t * (3.0 - 2.0 * t);
+    };
+    double share = 1.0;
+    if (light.kind == LightKind::spotlight) {
+      const double degree = std::acos(-1.0) / 180.0;
+      const double cosine = depth > 0.0 ? along.dot(axis) : -along.dot(axis);
+      if (cosine <= 0.0) return 0.0;
+      share = std::pow(cosine, light.tightness) *
+              soft(std::cos(light.falloff * degree), std::cos(light.radius * degree), cosine);
+    } else if (light.kind == LightKind::cylinder) {
+      const Vec3 way = point - light.position;
+      const double distance = (way - axis * way.dot(axis)).length();
+      if (way.dot(axis) <= 0.0 || distance >= light.falloff) return 0.0;
+      const double left = 1.0 - distance / light.falloff;
+      share = std::pow(left, light.tightness) * soft(0.0, 1.0 - light.radius / light.falloff, left);
+    }
+    return share > 0.0 ? share * fading(light, depth) : 0.0;
+  }
+
+  Rgb lit_from(const Light& light, const Vec3& place) const {
+    const Vec3 to_light = light.parallel ? (place - light.point_at).normalized() : (place - point).normalized();
     const double cosine = normal.dot(to_light);
     const bool behind = cosine < 1e-10;
     Rgb term = color * static_cast<float>((behind ? diffuse_back : diffuse) * std::pow(std::abs(cosine), brilliance));
@@ -67,8 +106,7 @@ struct LitHit {
       const double gloss = std::pow(std::max(halfway.dot(normal), 0.0), specular_exponent) * specular;
       term += metallic_tint(Rgb(1.0f), color, metallic, cosine) * static_cast<float>(shine + gloss);
     }
-    const double fade = fading(light, (light.position - point).length());
-    return share * term * light.color * static_cast<float>(fade);
+    return share * term * light.color * static_cast<float>(arriving(light, place));
   }
 };
 
@@ -100,6 +138,18 @@ Light random_light(Dice& dice) {
     light.fade_power = dice.below(4) == 0 ? 2.0 : std::round(dice.between(1.0, 4.0));
   }
   light.shadowless = dice.below(4) == 0;
+  light.kind = static_cast<LightKind>(dice.below(4) == 0 ? 0 : dice.below(3));
+  light.point_at = dice.point(3.0);
+  light.parallel = light.kind == LightKind::cylinder || dice.below(3) == 0;
+  if (light.parallel) light.fade_power = dice.below(2) == 0 ? 0.0 : 2.0;  // of negative distances, too
+  light.radius = light.kind == LightKind::spotlight ? dice.between(1.0, 40.0) : dice.between(0.1, 3.0);
+  light.falloff = light.radius + dice.between(0.1, 4.0) * (light.kind == LightKind::spotlight ? 10.0 : 1.0);
+  if (dice.below(2) == 0) light.tightness = dice.between(0.0, 20.0);
+  if (dice.below(4) == 0) {
+    light.area = AreaLight{dice.point(3.0), dice.point(3.0), 1 + static_cast<int>(dice.below(4)), 3};
+    light.area_illumination = dice.below(2) == 0;
+    light.jitter = dice.below(2) == 0;
+  }
   return light;
 }
 
@@ -312,7 +362,7 @@ TEST(FeelerBlock, FeelersAimAtTheirLightsAndKnowWhatTheyHold) {
   std::vector<LightPlace> places;
   for (int l = 0; l < 20; ++l) {
     const Vec3 at = dice.point(9.0);
-    places.push_back({at.x, at.y, at.z, 0.0});
+    places.push_back({at.x, at.y, at.z});
   }
   for (const std::size_t count : {std::size_t{1}, std::size_t{37}, kRaysAtOnce}) {
     std::vector<Vec3> origins(count);

@@ -1,0 +1,58 @@
+#pragma once
+
+#include "render/light/light.h"
+#include "render/math/random.h"
+
+#include <array>
+#include <cstddef>
+
+namespace firstlight::render {
+
+/// Where the points of an area light are, for one point that is lit: `orient` and `jitter` go by it.
+/// Source   POV-Ray 3.7 manual, "Area Lights"; the formulas are POV-Ray 3.7's.
+class AreaGrid {
+ public:
+  /// What points are asked for: each has a jitter of its own.
+  enum class Use { shadow, illumination };
+
+  /// Pre: light.area, which outlives it.
+  AreaGrid(const Light& light, const Vec3& lit_point, Use use);
+
+  /// Of the point in column u and row v. Pre: u < size1, v < size2.
+  Vec3 place(int u, int v) const;
+
+ private:
+  const Light& light_;
+  const AreaLight& area_;
+  Vec3 axis1_;
+  Vec3 axis2_;
+  HashedDraws draws_;
+  Use use_;
+};
+
+/// A rectangle of grid points, its corners included, that is looked at by its corners alone or in quarters.
+struct AreaRectangle {
+  int u1 = 0;
+  int v1 = 0;
+  int u2 = 0;
+  int v2 = 0;
+
+  /// The corners in POV-Ray's order.
+  std::array<std::array<int, 2>, 4> corners() const { return {{{u1, v1}, {u2, v1}, {u1, v2}, {u2, v2}}}; }
+  bool has_quarters() const { return u2 - u1 > 1 || v2 - v1 > 1; }
+};
+
+/// The different ones among the quarters of a rectangle, and how many times each counts.
+struct AreaQuarters {
+  std::array<AreaRectangle, 4> of;
+  std::size_t size = 0;
+  int times = 1;
+};
+/// Of an odd number of points the middle ones are in both halves. Pre: rectangle.has_quarters().
+AreaQuarters quarters_of(const AreaRectangle& rectangle);
+
+/// Whether light as it comes from the corners of a rectangle, in their order, differs so much that its quarters have to be
+/// looked at.
+bool differ(const std::array<Rgb, 4>& corners);
+
+}  // namespace firstlight::render

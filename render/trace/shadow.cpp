@@ -1,0 +1,99 @@
+#include "render/trace/shadow.h"
+
+#include "render/math/interrupt.h"
+#include "render/trace/fade.h"
+#include "render/trace/worn_textures.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace firstlight::render {
+namespace {
+
+constexpr double kNegligible = 1e-10;
+
+}  // namespace
+
+Shadow::Shadow(const TraceContext& context, const SurfaceTable& surfaces)
+    : context_(context),
+      surfaces_(surfaces),
+      has_transparent_casters_(std::ranges::any_of(context.scene.parts, [](const Part& part) { return !part.opaque; })),
+      asked_(std::make_unique<SurfacePoints>()) {}
+
+void Shadow::passing(const RayBlock& rays, std::span<const std::uint32_t> media, std::span<Rgb> shares) {
+  const std::uint64_t blocked = context_.accel.occluded(rays);
+  for (std::size_t i = 0; i < rays.size; ++i) {
+    if ((blocked >> i & 1u) != 0) {
+      shares[i] = Rgb(0.0f);
+    } else if (has_transparent_casters_) {
+      shares[i] = passing_light(media[i], {rays.origin.vector(i), rays.direction.vector(i)},
+                                rays.max_depth[i] + kShadowGap);
+    } else {
+      shares[i] = Rgb(1.0f);
+    }
+  }
+}
+
+Rgb Shadow::passing_light(std::uint32_t medium, Ray ray, double distance) {
+  const Scene& scene = context_.scene;
+  MediumTable& media = context_.media;
+  Rgb passed(1.0f);
+  while (distance > 2.0 * kShadowGap && !is_black(passed) && !Interrupt::asked()) {
+    const RayQuery query{ray, kShadowGap, distance - kShadowGap, kHiddenFromShadow};
+    Hit hit;
+    context_.accel.closest({&query, 1}, {&hit, 1});
+    if (hit.part == kNoIndex) break;
+    const Part& part = scene.parts[hit.part];
+    if (part.opaque) return Rgb(0.0f);  // was nearer than the gap to the origin before the ray moved on
+    const Vec3 point = ray.at(hit.depth);
+    if (filter_light(hit, ray, passed)) {
+      const Interior& interior = scene.interiors[part.interior];
+      if (interior.fade_power > 0.0 && std::abs(interior.fade_distance) > kNegligible &&
+          media.contains(medium, part.interior)) {
+        passed *= faded_light(interior, hit.depth);
+      }
+    }
+    medium = media.contains(medium, part.interior) ? media.left(medium, part.interior)
+                                                   : media.entered(medium, part.interior);
+    distance -= hit.depth;
+    ray.origin = point;
+  }
+  return passed;
+}
+
+bool Shadow::filter_light(const Hit& hit, const Ray& ray, Rgb& light) {
+  const Part& part = context_.scene.parts[hit.part];
+  const Vec3 point = ray.at(hit.depth);
+  const Crossing crossing = hit.crossing();
+  const bool from_inside =
+      part.interior_texture != kNoIndex && hit.shape->normal(point, crossing).dot(ray.direction) > 0.0;
+  bool found = part.has_shape_textures;
+  Rgb sum(0.0f);
+  for_each_texture(context_.scene, point, crossing, from_inside, worn_, [&](std::uint32_t texture, double share) {
+    found = true;
+    ask_at(crossing, point, ray, part.uv_mapping, surfaces_.goes_by_uv(texture));
+    if (!part.has_shape_textures) return surfaces_.filter(texture, *asked_, {&light, 1});
+    Rgb tint(1.0f);
+    surfaces_.filter(texture, *asked_, {&tint, 1});
+    sum += tint * static_cast<float>(share);
+  });
+  if (part.has_shape_textures) light *= sum;
+  return found;
+}
+
+void Shadow::ask_at(const Crossing& crossing, const Vec3& point, const Ray& ray, bool is_laid_by_uv, bool asks_uv) {
+  asked_->size = 1;
+  asked_->at.set(0, point);
+  asked_->direction.set(0, ray.direction);
+  asked_->on_surface = is_laid_by_uv || asks_uv;
+  if (!asked_->on_surface) return;
+  const Vec3 normal = crossing.shape->normal(point, crossing);
+  asked_->normal.set(0, normal.dot(ray.direction) > 0.0 ? -normal : normal);
+  asked_->tilted.set(0, asked_->normal.vector(0));
+  const Vec2 uv = crossing.shape->uv(point, crossing);
+  asked_->u[0] = uv.x;
+  asked_->v[0] = uv.y;
+  if (is_laid_by_uv) asked_->at.set(0, Vec3(uv.x, uv.y, 0.0));
+}
+
+}  // namespace firstlight::render

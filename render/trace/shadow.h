@@ -1,0 +1,46 @@
+#pragma once
+
+#include "render/math/color.h"
+#include "render/surface/surface_table.h"
+#include "render/trace/trace_context.h"
+
+#include <array>
+#include <cstdint>
+#include <memory>
+#include <span>
+#include <vector>
+
+namespace firstlight::render {
+
+/// Finds how much light passes along straight ways between surfaces and lights.
+///
+/// Source   POV-Ray 3.7: what filters and what is clear in the layers of what is met, and what fades inside of matter.
+/// Threads  One a thread.
+class Shadow {
+ public:
+  /// Pre: `surfaces` outlives it.
+  Shadow(const TraceContext& context, const SurfaceTable& surfaces);
+
+  /// False where whatever casts a shadow takes all light.
+  bool has_transparent_casters() const { return has_transparent_casters_; }
+  /// Of light that goes along each of the rays, from their least depth to their largest: the share that passes.
+  /// `media`: what their origins are in. Pre: equal sizes.
+  void passing(const RayBlock& rays, std::span<const std::uint32_t> media, std::span<Rgb> shares);
+  /// The same of one ray that meets nothing opaque, and which reaches `distance` far.
+  Rgb passing_light(std::uint32_t medium, Ray ray, double distance);
+
+ private:
+  /// Takes from `light` what the surface keeps. False where it has no texture.
+  bool filter_light(const Hit& hit, const Ray& ray, Rgb& light);
+  /// Sets asked_ to the point of a surface. `is_laid_by_uv`: its textures lie in the surface's own coordinates;
+  /// `asks_uv`: a part of its texture does.
+  void ask_at(const Crossing& crossing, const Vec3& point, const Ray& ray, bool is_laid_by_uv, bool asks_uv);
+
+  TraceContext context_;
+  const SurfaceTable& surfaces_;
+  bool has_transparent_casters_;
+  std::unique_ptr<SurfacePoints> asked_;
+  std::vector<TextureShare> worn_;
+};
+
+}  // namespace firstlight::render
