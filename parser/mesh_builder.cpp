@@ -8,10 +8,10 @@
 
 namespace firstlight::parser {
 
-using render::MeshForm;
+using render::MeshParameters;
 using render::Vec2;
 using render::Vec3;
-using Corners = MeshForm::Corners;
+using Corners = MeshParameters::Corners;
 
 namespace {
 
@@ -39,9 +39,9 @@ std::uint32_t MeshBuilder::uv_place(const Vec2& value) {
 }
 
 std::uint32_t MeshBuilder::texture_place(const render::TexturePtr& texture) {
-  if (!texture) return MeshForm::kNone;
-  const auto [entry, is_new] = textures_.try_emplace(texture.get(), static_cast<std::uint32_t>(mesh_.textures.size()));
-  if (is_new) mesh_.textures.push_back(texture);
+  if (!texture) return MeshParameters::kNone;
+  const auto [entry, is_new] = textures_.try_emplace(texture.get(), static_cast<std::uint32_t>(list_.size()));
+  if (is_new) list_.push_back(texture);
   return entry->second;
 }
 
@@ -55,9 +55,9 @@ void MeshBuilder::add(const Triangle& triangle) {
     std::array<Vec3, 3> unit;
     std::transform(triangle.normals->begin(), triangle.normals->end(), unit.begin(),
                    [](const Vec3& normal) { return normal / normal.length(); });
-    if (smooth_corners(unit, {}) != MeshForm::kNoCorners) {
+    if (smooth_corners(unit, {}) != MeshParameters::kNoCorners) {
       for (int i = 0; i < 3; ++i) corners[i] = place_of(normals_, mesh_.normals, unit[i]);
-      mesh_.face_normals.resize(face, MeshForm::kNoCorners);
+      mesh_.face_normals.resize(face, MeshParameters::kNoCorners);
       mesh_.face_normals.push_back(corners);
     }
   }
@@ -71,16 +71,16 @@ void MeshBuilder::add(const Triangle& triangle) {
   }
   if (triangle.textures[0]) {
     for (int i = 0; i < 3; ++i) corners[i] = texture_place(triangle.textures[i]);
-    mesh_.face_textures.resize(face, MeshForm::kNoCorners);
+    mesh_.face_textures.resize(face, MeshParameters::kNoCorners);
     mesh_.face_textures.push_back(corners);
   }
 }
 
-MeshForm MeshBuilder::take() {
+MeshParameters MeshBuilder::take() {
   const std::size_t faces = mesh_.faces.size();
-  if (!mesh_.face_normals.empty()) mesh_.face_normals.resize(faces, MeshForm::kNoCorners);
-  if (!mesh_.face_textures.empty()) mesh_.face_textures.resize(faces, MeshForm::kNoCorners);
-  MeshForm mesh = std::move(mesh_);
+  if (!mesh_.face_normals.empty()) mesh_.face_normals.resize(faces, MeshParameters::kNoCorners);
+  if (!mesh_.face_textures.empty()) mesh_.face_textures.resize(faces, MeshParameters::kNoCorners);
+  MeshParameters mesh = std::move(mesh_);
   *this = MeshBuilder();
   return mesh;
 }
@@ -88,7 +88,7 @@ MeshForm MeshBuilder::take() {
 Corners smooth_corners(const std::array<Vec3, 3>& normals, const Corners& corners) {
   const bool flat =
       (normals[0] - normals[1]).length2() <= kTinyLength && (normals[0] - normals[2]).length2() <= kTinyLength;
-  return flat ? MeshForm::kNoCorners : corners;
+  return flat ? MeshParameters::kNoCorners : corners;
 }
 
 }  // namespace firstlight::parser

@@ -1,6 +1,7 @@
 #pragma once
 
-#include "render/scene/forms/mesh.h"
+#include "render/shape/mesh.h"
+#include "render/texture/texture.h"
 
 #include <cstdint>
 #include <optional>
@@ -21,8 +22,9 @@ class MeshBuilder {
 
   void add(const Triangle& triangle);
   std::size_t size() const { return mesh_.faces.size(); }
+  const std::vector<render::TexturePtr>& textures() const { return list_; }
   /// The mesh; the builder is empty afterwards.
-  render::MeshForm take();
+  render::MeshParameters take();
 
  private:
   struct Bits {
@@ -40,14 +42,15 @@ class MeshBuilder {
   std::uint32_t uv_place(const render::Vec2& value);
   std::uint32_t texture_place(const render::TexturePtr& texture);
 
-  render::MeshForm mesh_;
+  render::MeshParameters mesh_;
+  std::vector<render::TexturePtr> list_;
   Places vertices_, normals_, uvs_;
   std::unordered_map<const render::Texture*, std::uint32_t> textures_;
 };
 
-/// The entry of MeshForm::face_normals for three unit normals: `corners`, or none where they are equal, for then the
+/// The entry of MeshParameters::face_normals for three unit normals: `corners`, or none where they are equal, for then the
 /// face is flat.
-render::MeshForm::Corners smooth_corners(const std::array<render::Vec3, 3>& normals,
-                                         const render::MeshForm::Corners& corners);
+render::MeshParameters::Corners smooth_corners(const std::array<render::Vec3, 3>& normals,
+                                         const render::MeshParameters::Corners& corners);
 
 }  // namespace firstlight::parser

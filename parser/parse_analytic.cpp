@@ -1,7 +1,11 @@
 // Shapes that are given by a formula and a few numbers.
 #include "parser/parse_common.h"
 #include "parser/parse_form.h"
+#include "parser/parse_shape.h"
+#include "render/shape/poly.h"
 #include "render/shape/primitives.h"
+#include "render/shape/quadric.h"
+#include "render/shape/superellipsoid.h"
 
 #include <array>
 #include <cmath>
@@ -13,7 +17,8 @@ namespace firstlight::parser {
 using render::JuliaFractalForm;
 using render::JuliaFunction;
 using render::Object;
-using render::PolynomialForm;
+using render::PolyParameters;
+using render::ShapePtr;
 using render::Vec3;
 
 namespace {
@@ -21,7 +26,7 @@ namespace {
 int parse_order(Reader& reader, const Token& word) {
   const Token& at = reader.peek();
   const int order = integer(reader, "order of " + quoted(word));
-  if (order < PolynomialForm::kLowestOrder || order > PolynomialForm::kHighestOrder) {
+  if (order < PolyParameters::kLowestOrder || order > PolyParameters::kHighestOrder) {
     reader.fail(at, "the order of " + quoted(word) + " must be from 2 to 35");
   }
   reader.skip_comma();
@@ -29,10 +34,10 @@ int parse_order(Reader& reader, const Token& word) {
 }
 
 /// `<` all coefficients `>`
-PolynomialForm parse_coefficients(Reader& reader, const Token& word, int order) {
-  PolynomialForm form;
+PolyParameters parse_coefficients(Reader& reader, const Token& word, int order) {
+  PolyParameters form;
   form.order = order;
-  form.coefficients.resize(PolynomialForm::coefficient_count(order));
+  form.coefficients.resize(PolyParameters::coefficient_count(order));
   if (!reader.accept(Punctuation::less)) reader.fail_expected("'<' and the coefficients of " + quoted(word));
   const std::string what = "coefficient of " + quoted(word);
   for (double& coefficient : form.coefficients) {
@@ -46,7 +51,7 @@ PolynomialForm parse_coefficients(Reader& reader, const Token& word, int order) 
 }
 
 /// `(i, j, k): value` behind `xyz`.
-void parse_term(Reader& reader, PolynomialForm& form) {
+void parse_term(Reader& reader, PolyParameters& form) {
   const Token& at = reader.peek();
   if (!reader.accept(Punctuation::left_paren)) reader.fail_expected("'(' and the three powers");
   std::array<int, 3> powers;
@@ -63,7 +68,7 @@ void parse_term(Reader& reader, PolynomialForm& form) {
   if (powers[0] + powers[1] + powers[2] > form.order) {
     reader.fail(at, "the powers of 'polynomial' add up to more than its order");
   }
-  form.coefficients[PolynomialForm::place(form.order, powers[0], powers[1], powers[2])] = value;
+  form.coefficients[PolyParameters::place(form.order, powers[0], powers[1], powers[2])] = value;
   reader.skip_comma();
 }
 
@@ -143,40 +148,40 @@ bool accept_julia_item(Reader& reader, JuliaFractalForm& form) {
 
 }  // namespace
 
-void parse_cubic(Reader& reader, SceneContext&, const Token& word, Object& object) {
-  set_form(object, parse_coefficients(reader, word, 3));
+ShapePtr parse_cubic(Reader& reader, const Token& word) {
+  return render::make_poly(parse_coefficients(reader, word, 3));
 }
 
-void parse_quartic(Reader& reader, SceneContext&, const Token& word, Object& object) {
-  set_form(object, parse_coefficients(reader, word, 4));
+ShapePtr parse_quartic(Reader& reader, const Token& word) {
+  return render::make_poly(parse_coefficients(reader, word, 4));
 }
 
-void parse_poly(Reader& reader, SceneContext&, const Token& word, Object& object) {
+ShapePtr parse_poly(Reader& reader, const Token& word) {
   const int order = parse_order(reader, word);
-  set_form(object, parse_coefficients(reader, word, order));
+  return render::make_poly(parse_coefficients(reader, word, order));
 }
 
-void parse_polynomial(Reader& reader, SceneContext&, const Token& word, Object& object) {
-  PolynomialForm form;
-  form.order = parse_order(reader, word);
-  form.coefficients.resize(PolynomialForm::coefficient_count(form.order));
-  while (reader.accept(Keyword::xyz)) parse_term(reader, form);
-  set_form(object, std::move(form));
+ShapePtr parse_polynomial(Reader& reader, const Token& word) {
+  PolyParameters poly;
+  poly.order = parse_order(reader, word);
+  poly.coefficients.resize(PolyParameters::coefficient_count(poly.order));
+  while (reader.accept(Keyword::xyz)) parse_term(reader, poly);
+  return render::make_poly(std::move(poly));
 }
 
-void parse_quadric(Reader& reader, SceneContext&, const Token&, Object& object) {
-  render::QuadricForm form;
-  for (Vec3* terms : {&form.square, &form.mixed, &form.linear}) {
+ShapePtr parse_quadric(Reader& reader, const Token&) {
+  render::QuadricParameters quadric;
+  for (Vec3* terms : {&quadric.square, &quadric.mixed, &quadric.linear}) {
     *terms = finite_vector(reader, "term of 'quadric'");
     reader.skip_comma();
   }
-  form.constant = finite_number(reader, "constant of 'quadric'");
-  set_form(object, form);
+  quadric.constant = finite_number(reader, "constant of 'quadric'");
+  return render::make_quadric(quadric);
 }
 
-void parse_superellipsoid(Reader& reader, SceneContext&, const Token&, Object& object) {
+ShapePtr parse_superellipsoid(Reader& reader, const Token&) {
   const render::Vec2 exponents = finite_vector2(reader, "exponent of 'superellipsoid'");
-  set_form(object, render::SuperellipsoidForm{exponents.x, exponents.y});
+  return render::make_superellipsoid(exponents.x, exponents.y);
 }
 
 void parse_ovus(Reader& reader, SceneContext&, const Token& word, Object& object) {

@@ -2,17 +2,19 @@
 #include "parser/parse_form.h"
 #include "parser/parse_surface.h"
 #include "parser/parse_transform.h"
+#include "render/shape/blob.h"
 
 namespace firstlight::parser {
 
-using render::BlobForm;
+using render::BlobParameters;
 using render::Object;
-using Component = BlobForm::Component;
+using Component = BlobParameters::Component;
+using Textures = std::vector<render::TexturePtr>;
 
 namespace {
 
 /// Transformations and the texture of a component, up to its `}`. A scratch object takes them as any object would.
-void parse_component_end(Reader& reader, SceneContext& context, Component& component) {
+void parse_component_end(Reader& reader, SceneContext& context, Textures& textures, Component& component) {
   Object scratch;
   for (;;) {
     if (const auto transform = accept_transformation(reader)) {
@@ -26,7 +28,9 @@ void parse_component_end(Reader& reader, SceneContext& context, Component& compo
   }
   reader.close_block();
   component.placement = scratch.placement;
-  component.texture = moved(scratch.texture, scratch.texture_placement);
+  if (!scratch.texture) return;
+  component.texture = static_cast<std::uint32_t>(textures.size());
+  textures.push_back(moved(scratch.texture, scratch.texture_placement));
 }
 
 void parse_radius_and_strength(Reader& reader, Component& component) {
@@ -47,17 +51,19 @@ Component parse_plain(Reader& reader) {
   return component;
 }
 
-Component parse_sphere_component(Reader& reader, SceneContext& context, const Token& word) {
+Component parse_sphere_component(Reader& reader, SceneContext& context, Textures& textures,
+                                   const Token& word) {
   reader.open_block(word);
   Component component;
   component.center = finite_vector(reader, "center in 'blob'");
   reader.skip_comma();
   parse_radius_and_strength(reader, component);
-  parse_component_end(reader, context, component);
+  parse_component_end(reader, context, textures, component);
   return component;
 }
 
-Component parse_cylinder_component(Reader& reader, SceneContext& context, const Token& word) {
+Component parse_cylinder_component(Reader& reader, SceneContext& context, Textures& textures,
+                                   const Token& word) {
   reader.open_block(word);
   Component component;
   component.kind = Component::Kind::cylinder;
@@ -66,39 +72,44 @@ Component parse_cylinder_component(Reader& reader, SceneContext& context, const 
   component.end = finite_vector(reader, "end in 'blob'");
   reader.skip_comma();
   parse_radius_and_strength(reader, component);
-  parse_component_end(reader, context, component);
+  parse_component_end(reader, context, textures, component);
   return component;
 }
 
 }  // namespace
 
 void parse_blob(Reader& reader, SceneContext& context, const Token& word, Object& object) {
-  BlobForm form;
+  BlobParameters blob;
+  Textures textures;
   for (;;) {
     const Token& next = reader.peek();
     if (reader.accept(Keyword::threshold)) {
-      form.threshold = finite_number(reader, "threshold");
+      blob.threshold = finite_number(reader, "threshold");
       continue;
     }
     if (reader.accept(Keyword::component)) {
-      form.components.push_back(parse_plain(reader));
+      blob.components.push_back(parse_plain(reader));
     } else if (reader.accept(Keyword::sphere)) {
-      form.components.push_back(parse_sphere_component(reader, context, next));
+      blob.components.push_back(parse_sphere_component(reader, context, textures, next));
     } else if (reader.accept(Keyword::cylinder)) {
-      const Component cylinder = parse_cylinder_component(reader, context, next);
+      const Component cylinder = parse_cylinder_component(reader, context, textures, next);
       if ((cylinder.end - cylinder.center).length() >= kTinyLength) {
-        form.components.push_back(cylinder);
+        blob.components.push_back(cylinder);
       } else {
         refuse_shape(reader, next, "'cylinder' in 'blob' has no length: its two ends are the same point");
       }
     } else {
       break;
     }
-    if (form.components.size() > kMostPoints) {
+    if (blob.components.size() > kMostPoints) {
       reader.fail(next, "'blob' has more than " + std::to_string(kMostPoints) + " parts");
     }
   }
-  if (!form.components.empty()) return set_form(object, std::move(form));
+  if (!textures.empty()) object.extras.change().shape_textures = std::move(textures);
+  if (!blob.components.empty()) {
+    object.shape = render::make_blob(blob);
+    return;
+  }
   refuse_shape(reader, word, "'blob' needs at least one 'sphere', 'cylinder' or 'component'");
 }
 

@@ -13,15 +13,17 @@
 namespace firstlight::parser {
 
 /// How parse_object() reads a shape that is described and not made: from behind the `{` to the first modifier. Sets
-/// the object's form, and what else the description implies. Neither form nor shape set: there is nothing to see, after
-/// a warning.
+/// the object's form or shape, and what else the description implies. Neither form nor shape set: there is nothing to
+/// see, after a warning.
 using FormReader = void (*)(Reader& reader, SceneContext& context, const Token& word, render::Object& object);
 
 #define SHAPE(word, function)
 #define PATCH(word, function)
 #define FORM(word, function) \
   void function(Reader& reader, SceneContext& context, const Token& word_token, render::Object& object);
+#define RICH FORM
 #include "parser/shapes.def"
+#undef RICH
 #undef FORM
 #undef PATCH
 #undef SHAPE

@@ -8,7 +8,6 @@
 
 namespace firstlight::parser {
 
-using render::MeshForm;
 using render::Object;
 using render::TexturePtr;
 using render::Vec3;
@@ -125,9 +124,11 @@ void parse_mesh(Reader& reader, SceneContext&, const Token& word, Object& object
       reader.fail(next, "'mesh' has more than " + std::to_string(kMostFaces) + " triangles");
   }
   if (builder.size() == 0) reader.fail(word, "'mesh' has no triangles");
-  MeshForm form = builder.take();
-  form.inside_vector = inside_vector;
-  set_form(object, std::move(form));
+  if (!builder.textures().empty()) object.extras.change().shape_textures = builder.textures();
+  render::MeshParameters mesh = builder.take();
+  mesh.inside_vector = inside_vector;
+  object.patch = !inside_vector;
+  object.shape = render::make_mesh(std::move(mesh));
 }
 
 }  // namespace firstlight::parser

@@ -12,10 +12,10 @@
 
 namespace firstlight::parser {
 
-using render::MeshForm;
+using render::MeshParameters;
 using render::Object;
 using render::Vec3;
-using Corners = MeshForm::Corners;
+using Corners = MeshParameters::Corners;
 
 namespace {
 
@@ -50,7 +50,7 @@ class Mesh2 {
  public:
   Mesh2(Reader& reader, SceneContext& context, const Token& word) : reader_(reader), context_(context), word_(word) {}
 
-  MeshForm parse() {
+  MeshParameters parse() {
     while (accept_list()) {
     }
     if (mesh_.vertices.empty()) reader_.fail(word_, "'mesh2' needs 'vertex_vectors'");
@@ -67,6 +67,7 @@ class Mesh2 {
     complete_normals();
     return std::move(mesh_);
   }
+  const std::vector<render::TexturePtr>& textures() const { return textures_; }
 
  private:
   bool accept_list() {
@@ -135,10 +136,10 @@ class Mesh2 {
     texture_list_seen_ = true;
     reader_.open_block(word);
     const std::size_t count = parse_count(reader_, word);
-    while (mesh_.textures.size() < count) {
+    while (textures_.size() < count) {
       const Token& texture = reader_.peek();
       if (!reader_.accept(Keyword::texture)) reader_.fail_expected("'texture'");
-      mesh_.textures.push_back(parse_texture(reader_, context_, texture));
+      textures_.push_back(parse_texture(reader_, context_, texture));
       reader_.skip_comma();
     }
     reader_.close_block();
@@ -146,21 +147,21 @@ class Mesh2 {
 
   /// One to three places in the list of textures behind a face; the later ones of the second and third corner.
   void parse_face_textures(const Token& word) {
-    Corners textures = MeshForm::kNoCorners;
+    Corners textures = MeshParameters::kNoCorners;
     std::size_t given = 0;
     while (given < 3 && reader_.at_number()) {
       const Token& at = reader_.peek();
       const int place = integer(reader_, "texture index");
       reader_.skip_comma();
-      if (place < 0 || static_cast<std::size_t>(place) >= mesh_.textures.size()) {
+      if (place < 0 || static_cast<std::size_t>(place) >= textures_.size()) {
         reader_.fail(at, fmt::format("texture {} in {} is out of range: there are {}", place, quoted(word),
-                                     mesh_.textures.size()));
+                                     textures_.size()));
       }
       textures[given++] = static_cast<std::uint32_t>(place);
     }
-    if (given == 1) textures[2] = textures[1] = textures[0];
+    if (given < 3) textures[2] = textures[1] = textures[0];  // two are one [POV-Ray 3.7]
     if (given == 0 && mesh_.face_textures.empty()) return;
-    mesh_.face_textures.resize(mesh_.faces.size() - 1, MeshForm::kNoCorners);
+    mesh_.face_textures.resize(mesh_.faces.size() - 1, MeshParameters::kNoCorners);
     mesh_.face_textures.push_back(textures);
   }
 
@@ -233,14 +234,15 @@ class Mesh2 {
                    "'mesh2' needs 'normal_indices', for there are not as many 'normal_vectors' as 'vertex_vectors'");
     }
     // faces behind the last entry are flat
-    if (!mesh_.face_normals.empty()) mesh_.face_normals.resize(mesh_.faces.size(), MeshForm::kNoCorners);
-    if (!mesh_.face_textures.empty()) mesh_.face_textures.resize(mesh_.faces.size(), MeshForm::kNoCorners);
+    if (!mesh_.face_normals.empty()) mesh_.face_normals.resize(mesh_.faces.size(), MeshParameters::kNoCorners);
+    if (!mesh_.face_textures.empty()) mesh_.face_textures.resize(mesh_.faces.size(), MeshParameters::kNoCorners);
   }
 
   Reader& reader_;
   SceneContext& context_;
   const Token& word_;
-  MeshForm mesh_;
+  MeshParameters mesh_;
+  std::vector<render::TexturePtr> textures_;
   bool texture_list_seen_ = false;
   bool normal_indices_seen_ = false;
   bool warned_ = false;
@@ -249,7 +251,11 @@ class Mesh2 {
 }  // namespace
 
 void parse_mesh2(Reader& reader, SceneContext& context, const Token& word, Object& object) {
-  set_form(object, Mesh2(reader, context, word).parse());
+  Mesh2 mesh2(reader, context, word);
+  render::MeshParameters mesh = mesh2.parse();
+  if (!mesh2.textures().empty()) object.extras.change().shape_textures = mesh2.textures();
+  object.patch = !mesh.inside_vector;
+  object.shape = render::make_mesh(std::move(mesh));
 }
 
 }  // namespace firstlight::parser

@@ -31,7 +31,9 @@ ShapeWord shape_word(Keyword word) {
 #define FORM(word, function) \
   case Keyword::word:        \
     return {.describe = function};
+#define RICH FORM
 #include "parser/shapes.def"
+#undef RICH
 #undef FORM
 #undef PATCH
 #undef SHAPE
@@ -57,10 +59,10 @@ std::optional<Object> parse_shape(Reader& reader, SceneContext& context, const S
   }
   if (const auto& form = object.extras->form) {
     object.patch = render::is_patch(*form);
-    for (const auto& texture : textures_of(*form)) object.depth = std::max(object.depth, depth_of(*texture));
     object.extras.change().unrendered.add(feature_use(render::feature_of(*form), word));
   } else if (object.shape) {
-    object.patch = shape.patch;
+    object.patch = object.patch || shape.patch;
+    for (const auto& texture : object.extras->shape_textures) object.depth = std::max(object.depth, depth_of(*texture));
     object.cramped = object.shape->given_bounds() != object.shape->bounds();
   } else {
     object = empty_object();

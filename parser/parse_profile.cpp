@@ -1,6 +1,11 @@
 // Shapes that are made of a curve: turned, swept, filled, or thickened.
 #include "parser/parse_common.h"
 #include "parser/parse_form.h"
+#include "parser/parse_shape.h"
+#include "render/shape/lathe.h"
+#include "render/shape/polygon.h"
+#include "render/shape/prism.h"
+#include "render/shape/sor.h"
 
 #include <cmath>
 #include <string>
@@ -9,8 +14,9 @@
 namespace firstlight::parser {
 
 using render::Object;
-using render::PrismForm;
+using render::PrismParameters;
 using render::ProfileSpline;
+using render::ShapePtr;
 using render::SphereSweepForm;
 using render::Vec2;
 using render::Vec3;
@@ -83,7 +89,7 @@ bool bezier_closed(const std::vector<Vec2>& points) {
 }
 
 /// Closes the curves, or tells that they cannot be.
-bool close_prism(Reader& reader, const Token& word, PrismForm& form) {
+bool close_prism(Reader& reader, const Token& word, PrismParameters& form) {
   if (form.spline == ProfileSpline::bezier) {
     if (bezier_closed(form.points)) return true;
   } else {
@@ -99,98 +105,78 @@ bool close_prism(Reader& reader, const Token& word, PrismForm& form) {
   return false;
 }
 
-/// Whether the points are on one plane and not on one line, as far as POV-Ray asks.
-bool spans_plane(const std::vector<Vec3>& points) {
-  constexpr double kFlat = 1e-10;  // distance from the plane [POV-Ray 3.7, ZERO_TOLERANCE of its polygons]
-  const Vec3 origin = points.front();
-  std::size_t i = 1;
-  while (i < points.size() && (points[i] - origin).length2() <= kTinyLength) ++i;
-  if (i == points.size()) return false;
-  const Vec3 first = points[i] - origin;
-  Vec3 normal(0.0);
-  for (++i; i < points.size(); ++i) {
-    normal = first.cross(points[i] - origin);
-    if ((points[i] - origin).length2() > kTinyLength && normal.length2() > kTinyLength) break;
-  }
-  if (i >= points.size()) return false;
-  normal.normalize();
-  for (const Vec3& point : points) {
-    if (std::abs((point - origin).dot(normal)) > kFlat) return false;
-  }
-  return true;
-}
-
 }  // namespace
 
-void parse_lathe(Reader& reader, SceneContext&, const Token& word, Object& object) {
-  render::LatheForm form;
-  while (accept_spline(reader, form.spline)) {
+ShapePtr parse_lathe(Reader& reader, const Token& word) {
+  render::LatheParameters lathe;
+  while (accept_spline(reader, lathe.spline)) {
   }
-  const int count = curve_count(reader, word, form.spline, {2, 3, 4});
-  form.points = plane_points(reader, count, word);
-  for (std::size_t i = 1; i + 1 < form.points.size(); ++i) {
-    if (form.points[i].x < 0.0)
+  const int count = curve_count(reader, word, lathe.spline, {2, 3, 4});
+  lathe.points = plane_points(reader, count, word);
+  for (std::size_t i = 1; i + 1 < lathe.points.size(); ++i) {
+    if (lathe.points[i].x < 0.0)
       reader.fail(word, "a point of 'lathe' lies behind the axis: its first number is negative");
   }
-  set_form(object, std::move(form));
+  return render::make_lathe(lathe);
 }
 
-void parse_sor(Reader& reader, SceneContext&, const Token& word, Object& object) {
-  render::SurfaceOfRevolutionForm form;
+ShapePtr parse_sor(Reader& reader, const Token& word) {
+  render::SorParameters sor;
   const int count = point_count(reader, 4, "points of 'sor'");
-  form.points = plane_points(reader, count, word);
-  for (std::size_t i = 0; i < form.points.size(); ++i) {
-    if (form.points[i].x < 0.0)
+  sor.points = plane_points(reader, count, word);
+  for (std::size_t i = 0; i < sor.points.size(); ++i) {
+    if (sor.points[i].x < 0.0)
       reader.fail(word, "a point of 'sor' lies behind the axis: its first number is negative");
-    if (i > 1 && i + 1 < form.points.size() && form.points[i].y <= form.points[i - 1].y) {
+    if (i > 1 && i + 1 < sor.points.size() && sor.points[i].y <= sor.points[i - 1].y) {
       reader.fail(word, "the points of 'sor' must rise: each second number must be above the one before");
     }
   }
-  form.open = reader.accept(Keyword::open);
-  set_form(object, std::move(form));
+  sor.open = reader.accept(Keyword::open);
+  return render::make_sor(sor);
 }
 
-void parse_prism(Reader& reader, SceneContext&, const Token& word, Object& object) {
-  PrismForm form;
+ShapePtr parse_prism(Reader& reader, const Token& word) {
+  PrismParameters prism;
   for (;;) {
     if (reader.accept(Keyword::linear_sweep)) {
-      form.sweep = PrismForm::Sweep::linear;
+      prism.sweep = PrismParameters::Sweep::linear;
     } else if (reader.accept(Keyword::conic_sweep)) {
-      form.sweep = PrismForm::Sweep::conic;
-    } else if (!accept_spline(reader, form.spline)) {
+      prism.sweep = PrismParameters::Sweep::conic;
+    } else if (!accept_spline(reader, prism.spline)) {
       break;
     }
   }
-  form.low = finite_number(reader, "height of 'prism'");
+  prism.low = finite_number(reader, "height of 'prism'");
   reader.skip_comma();
-  form.high = finite_number(reader, "height of 'prism'");
+  prism.high = finite_number(reader, "height of 'prism'");
   reader.skip_comma();
-  if (form.low > form.high) std::swap(form.low, form.high);
-  const int count = curve_count(reader, word, form.spline, {3, 5, 6});
-  form.points = plane_points(reader, count, word);
-  form.open = reader.accept(Keyword::open);
-  if (close_prism(reader, word, form)) set_form(object, std::move(form));
+  if (prism.low > prism.high) std::swap(prism.low, prism.high);
+  const int count = curve_count(reader, word, prism.spline, {3, 5, 6});
+  prism.points = plane_points(reader, count, word);
+  prism.open = reader.accept(Keyword::open);
+  return close_prism(reader, word, prism) ? render::make_prism(prism) : nullptr;
 }
 
-void parse_polygon(Reader& reader, SceneContext&, const Token& word, Object& object) {
-  render::PolygonForm form;
+ShapePtr parse_polygon(Reader& reader, const Token& word) {
+  std::vector<Vec3> points;
   const int count = point_count(reader, 3, "points of 'polygon'");
   for (int i = 0; i < count; ++i) {
     reader.skip_comma();
-    form.points.push_back(finite_vector(reader, "point of 'polygon'"));
+    points.push_back(finite_vector(reader, "point of 'polygon'"));
   }
   std::size_t start = 0;
-  for (std::size_t i = 1; i < form.points.size(); ++i) {
-    if (!same_point(form.points[i], form.points[start])) continue;
-    form.points[i] = form.points[start];
+  for (std::size_t i = 1; i < points.size(); ++i) {
+    if (!same_point(points[i], points[start])) continue;
+    points[i] = points[start];
     start = ++i;
   }
-  if (start + 1 < form.points.size()) {
+  if (start + 1 < points.size()) {
     reader.warn(word, "the last line of 'polygon' is not closed; it is closed");
-    form.points.push_back(Vec3(form.points[start]));
+    points.push_back(Vec3(points[start]));
   }
-  if (spans_plane(form.points)) return set_form(object, std::move(form));
-  reader.warn(word, "the points of 'polygon' are not in one plane or all on one line; it is left out");
+  ShapePtr polygon = render::make_polygon(points);
+  if (!polygon) reader.warn(word, "the points of 'polygon' are not in one plane or all on one line; it is left out");
+  return polygon;
 }
 
 void parse_sphere_sweep(Reader& reader, SceneContext&, const Token&, Object& object) {

@@ -8,6 +8,7 @@
 #include <hwy/highway.h>
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <vector>
 
@@ -26,6 +27,11 @@ std::vector<Crossing>& scratch_of_thread() {
 }
 
 HWY_INLINE Ray ray_of(const RayBlock& rays, std::size_t i) { return {rays.origin.vector(i), rays.direction.vector(i)}; }
+
+/// Beyond which crossings count: those that are not before a leaf's box either.
+HWY_INLINE double least_depth(double min_depth, double from) {
+  return from > min_depth ? std::nextafter(from, 0.0) : min_depth;
+}
 
 /// Looks for the nearest crossing of each ray of a block.
 ///
@@ -95,7 +101,8 @@ class ClosestSearch {
       if (leaf.only_blocks || hidden(i, leaf.head) || !exact(i).meets(leaf.bounds, from) || from > limit(i)) return;
       std::vector<Crossing>& scratch = scratch_of_thread();
       scratch.clear();
-      leaf.geometry->crossings(ray_of(rays_, i), static_cast<std::uint8_t>(rays_.hidden_bit[i]), scratch);
+      const auto hidden_bit = static_cast<std::uint8_t>(rays_.hidden_bit[i]);
+      leaf.geometry->nearest(ray_of(rays_, i), hidden_bit, least_depth(rays_.min_depth[i], from), limit(i), scratch);
       LeafHead head = leaf.head;
       if (leaf.is_cramped) return offer_cramped(i, scratch, head, from);
       for (std::size_t c = scratch.size(); c-- > 0;) {
@@ -195,7 +202,9 @@ class BlockingSearch {
       if (transparent(i, leaf.head) || !exact(i).meets(leaf.bounds, from) || from > rays_.max_depth[i]) return;
       std::vector<Crossing>& scratch = scratch_of_thread();
       scratch.clear();
-      leaf.geometry->crossings(ray_of(rays_, i), static_cast<std::uint8_t>(rays_.hidden_bit[i]), scratch);
+      const auto hidden_bit = static_cast<std::uint8_t>(rays_.hidden_bit[i]);
+      const double low = least_depth(rays_.min_depth[i], leaf.is_cramped ? 0.0 : from);
+      leaf.geometry->nearest(ray_of(rays_, i), hidden_bit, low, rays_.max_depth[i], scratch);
       for (const Crossing& crossing : scratch) {
         if (leaves_.opaque_parts[crossing.part]) offer(i, crossing.depth, leaf.is_cramped ? 0.0 : from);
       }

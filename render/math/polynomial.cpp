@@ -86,6 +86,29 @@ int roots_between(const std::array<double, N>& c, double low, double high, std::
   return count;
 }
 
+double value(std::span<const double> c, double x) {
+  double sum = c.back();
+  for (std::size_t i = c.size() - 1; i-- > 0;) sum = sum * x + c[i];
+  return sum;
+}
+
+/// Of orders that are not known beforehand; see the template.
+double bracketed_root(std::span<const double> c, std::span<const double> slope, double a, double b,
+                      bool negative_at_a) {
+  const double enough = 1e-15 * std::max({std::abs(a), std::abs(b), b - a});
+  double x = 0.5 * (a + b);
+  for (int round = 0; round < 80; ++round) {
+    const double f = value(c, x);
+    ((f < 0.0) == negative_at_a ? a : b) = x;
+    double next = x - f / value(slope, x);
+    if (!(next > a && next < b)) next = 0.5 * (a + b);
+    const double step = std::abs(next - x);
+    x = next;
+    if (step <= enough || b - a <= enough) break;
+  }
+  return x;
+}
+
 }  // namespace
 
 int quartic_roots(const std::array<double, 5>& c, double low, double high, std::array<double, 4>& roots) {
@@ -94,6 +117,44 @@ int quartic_roots(const std::array<double, 5>& c, double low, double high, std::
 
 int cubic_roots(const std::array<double, 4>& c, double low, double high, std::array<double, 3>& roots) {
   return low < high ? roots_between(c, low, high, roots) : 0;
+}
+
+std::size_t polynomial_roots(std::span<const double> c, double low, double high, std::span<double> roots) {
+  if (c.size() < 2 || !(low < high)) return 0;
+  // The derivatives, from the polynomial itself down to a straight line, one behind the other.
+  std::array<std::array<double, kMostOrder + 1>, kMostOrder> derivatives;
+  const std::size_t order = c.size() - 1;
+  std::copy(c.begin(), c.end(), derivatives[0].begin());
+  for (std::size_t d = 1; d < order; ++d) {
+    for (std::size_t i = 0; i + d <= order; ++i) {
+      derivatives[d][i] = static_cast<double>(i + 1) * derivatives[d - 1][i + 1];
+    }
+  }
+  std::array<double, kMostOrder> turns;
+  std::array<double, kMostOrder> found;
+  std::size_t count = 0;
+  for (std::size_t d = order; d-- > 0;) {
+    const std::span<const double> here{derivatives[d].data(), order - d + 1};
+    const std::size_t turn_count = count;
+    std::copy_n(found.begin(), turn_count, turns.begin());
+    count = 0;
+    double a = low;
+    bool negative_at_a = value(here, a) < 0.0;
+    for (std::size_t i = 0; i <= turn_count; ++i) {
+      const double b = i < turn_count ? turns[i] : high;
+      const bool negative_at_b = value(here, b) < 0.0;
+      if (negative_at_a != negative_at_b) {
+        const std::span<const double> slope =
+            d + 1 < order ? std::span<const double>{derivatives[d + 1].data(), order - d}
+                          : std::span<const double>{&derivatives[d][1], 1};
+        found[count++] = bracketed_root(here, slope, a, b, negative_at_a);
+      }
+      a = b;
+      negative_at_a = negative_at_b;
+    }
+  }
+  std::copy_n(found.begin(), count, roots.begin());
+  return count;
 }
 
 }  // namespace firstlight::render

@@ -1,6 +1,8 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
+#include <span>
 
 namespace firstlight::render {
 
@@ -14,5 +16,9 @@ int quartic_roots(const std::array<double, 5>& c, double low, double high, std::
 
 /// The same for c[0] + c[1] x + c[2] x^2 + c[3] x^3.
 int cubic_roots(const std::array<double, 4>& c, double low, double high, std::array<double, 3>& roots);
+
+/// The same for c[0] + c[1] x + ... of any order up to kMostOrder. Pre: `roots` has room for as many as the order.
+constexpr std::size_t kMostOrder = 40;
+std::size_t polynomial_roots(std::span<const double> c, double low, double high, std::span<double> roots);
 
 }  // namespace firstlight::render

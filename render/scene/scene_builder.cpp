@@ -1,7 +1,6 @@
 #include "render/scene/scene_builder.h"
 
 #include "render/scene/extent.h"
-#include "render/scene/form.h"
 #include "render/scene/object_table.h"
 #include "render/scene/region.h"
 #include "render/scene/texture_table.h"
@@ -111,7 +110,6 @@ struct SceneBuilder::State {
   void link(const Object& object);
   void add_solid(const Object& object, const Inherited& parent);
   void note_region(const ObjectList& objects);
-  void note_form(const Form& form, const Inherited& node);
   void add_shape_textures(Part& part, const Object& object, const Inherited& leaf);
   void note_object(const std::shared_ptr<const Object>& object);
   void note_surfaces();
@@ -252,7 +250,6 @@ bool SceneBuilder::State::freeze(const Object& object, const Inherited& parent, 
   }
   const Inherited node = at_node(object, parent);
   if (top_level) solid.matter = node.interior;
-  if (object.extras->form) note_form(*object.extras->form, node);
   if (object.kind == Object::Kind::shape && !object.shape) return false;
   solid.kind = solid_kind(object.kind, node.inverted);
   // The complement of a union's complement is a merge. [POV-Ray 3.7]
@@ -297,11 +294,6 @@ void SceneBuilder::State::note_region(const ObjectList& objects) {
     look(object, true);
     walk_members(object, true, look, [](const Object&, bool) {});
   }
-}
-
-/// A described shape is met by no ray, but it is in the scene, with the textures of its parts.
-void SceneBuilder::State::note_form(const Form& form, const Inherited& node) {
-  for (const TexturePtr& texture : textures_of(form)) textures.index_of(texture, node.to_world);
 }
 
 /// An object that belongs to a light and is met by no ray: what it asks for counts, with its surfaces.

@@ -289,6 +289,14 @@ void Solid::crossings(const Ray& ray, std::uint8_t hidden_bit, std::vector<Cross
   }
 }
 
+void Solid::nearest(const Ray& ray, std::uint8_t hidden_bit, double low, double high,
+                    std::vector<Crossing>& out) const {
+  if (!is_plain()) return crossings(ray, hidden_bit, out);
+  const std::size_t first = out.size();
+  shape->nearest(ray, low, high, out);
+  for (std::size_t i = first; i < out.size(); ++i) out[i].part = part;
+}
+
 bool Solid::inside(const Vec3& point) const {
   if (is_plain()) return shape->inside(point);
   const Structure& structure = *structure_;

@@ -70,6 +70,8 @@ class Solid {
   /// Appends all crossings that belong to the solid's surface. `hidden_bit` is the bit of the asking ray's kind; it
   /// chooses among members, while whether the solid itself is hidden is the caller's to ask.
   void crossings(const Ray& ray, std::uint8_t hidden_bit, std::vector<Crossing>& out) const;
+  /// The same where only the nearest crossing beyond `low` counts, and only below `high`: others may be left out.
+  void nearest(const Ray& ray, std::uint8_t hidden_bit, double low, double high, std::vector<Crossing>& out) const;
   bool inside(const Vec3& point) const;
   /// Whether a ray that begins at `point`, in space, begins in the solid.
   /// Source   POV-Ray 3.7: it asks the bounding box, and does not ask what clips the whole.

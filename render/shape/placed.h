@@ -14,15 +14,22 @@ namespace firstlight::render {
 /// Takes the crossings of one primitive with one ray: depths along the ray as it was given.
 class Met {
  public:
-  Met(const Shape& shape, std::vector<Crossing>& out) : shape_(&shape), out_(&out) {}
+  Met(const Shape& shape, std::vector<Crossing>& out) : Met(shape, out, kBoundless) {}
+  /// Only the nearest crossing beyond `low` is wanted.
+  Met(const Shape& shape, std::vector<Crossing>& out, double low) : shape_(&shape), out_(&out), low_(low) {}
 
   void add(double depth, std::uint32_t face = 0, const std::array<double, 2>& place = {}) {
     out_->push_back({depth, shape_, 0, face, place});
+    is_enough_ = is_enough_ || depth > low_;
   }
+  /// Whether crossings that lie behind all that were added need not be looked for.
+  bool is_enough() const { return is_enough_; }
 
  private:
   const Shape* shape_;
   std::vector<Crossing>* out_;
+  double low_;
+  bool is_enough_ = false;
 };
 
 /// The same ray with a direction of unit length; depths along it are `length` times as long. The direction is
@@ -47,6 +54,7 @@ struct UnitRay {
 ///     Box3 given_bounds() const;                                     may be left out: as bounds()
 ///     static constexpr bool kAsksBox;                                may be left out: true
 ///     static constexpr bool kIsLarge;                                may be left out: false
+///     static constexpr bool kHasInside;                              may be left out: true; else inverting does nothing
 ///
 /// Placing a shape composes the transformations and copies the Local; a large one is shared by all that are placed.
 template <class Local>
@@ -57,6 +65,10 @@ class Placed final : public Shape {
 
   void crossings(const Ray& ray, std::vector<Crossing>& out) const override {
     Met met(*this, out);
+    local().meet(transform_.inverse_ray(ray), met);
+  }
+  void nearest(const Ray& ray, double low, double, std::vector<Crossing>& out) const override {
+    Met met(*this, out, low);
     local().meet(transform_.inverse_ray(ray), met);
   }
   bool inside(const Vec3& point) const override { return local().inside(transform_.inverse_point(point), inverted_); }
@@ -93,6 +105,9 @@ class Placed final : public Shape {
     return true;
   }
   ShapePtr inverted() const override {
+    if constexpr (requires { requires !Local::kHasInside; }) {
+      return std::shared_ptr<const Placed>(new Placed(held_, transform_, inverted_));
+    }
     return std::shared_ptr<const Placed>(new Placed(held_, transform_, !inverted_));
   }
 

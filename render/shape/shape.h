@@ -40,6 +40,11 @@ class Shape {
 
   /// Appends every crossing in front of the ray's origin that POV-Ray's own test for this shape would report.
   virtual void crossings(const Ray& ray, std::vector<Crossing>& out) const = 0;
+  /// The same of a ray of which only the nearest crossing beyond `low` counts: that one, if it lies below `high`, is
+  /// appended, with all that are as near; others may be left out.
+  virtual void nearest(const Ray& ray, double /*low*/, double /*high*/, std::vector<Crossing>& out) const {
+    crossings(ray, out);
+  }
   /// Whether `point` is in the solid. An `inverse` shape is the complement.
   virtual bool inside(const Vec3& point) const = 0;
   /// Unit outward normal at a crossing that this shape reported. Inverted shapes point inwards.

@@ -1,7 +1,6 @@
 #pragma once
 
-#include "render/math/vec.h"
-#include "render/texture/texture.h"
+#include "render/shape/shape.h"
 
 #include <array>
 #include <cstdint>
@@ -14,7 +13,7 @@ namespace firstlight::render {
 ///
 /// Order    The lists by face are empty, or have an entry for each face.
 /// Memory   12 bytes a face and list, 12 a corner or normal: about 30 bytes a face of a smooth closed mesh.
-struct MeshForm {
+struct MeshParameters {
   using Corners = std::array<std::uint32_t, 3>;
   static constexpr std::uint32_t kNone = 0xffffffffu;
   static constexpr Corners kNoCorners{kNone, kNone, kNone};
@@ -25,12 +24,17 @@ struct MeshForm {
   std::vector<Corners> faces;         ///< into `vertices`
   std::vector<Corners> face_normals;  ///< into `normals`; kNoCorners: a flat face
   std::vector<Corners> face_uvs;      ///< into `uv`; without, all corners are at (0, 0)
-  std::vector<TexturePtr> textures;
-  /// Into `textures`, interpolated between the corners; kNoCorners: the object's texture.
+  /// Into the shape's list of textures, interpolated between the corners; kNoCorners: the object's texture.
   std::vector<Corners> face_textures;
   /// Of unit length: a point is inside if a ray this way leaves the mesh once more than it enters. Without, the mesh
   /// has no inside.
   std::optional<Vec3> inside_vector;
 };
+
+/// Faces without area are left out.
+/// Cost     O(n log n), and some 80 bytes a face beside the parameters.
+ShapePtr make_mesh(MeshParameters parameters);
+/// What a mesh was made of; null for any other shape.
+const MeshParameters* mesh_of(const Shape& shape);
 
 }  // namespace firstlight::render

@@ -1,0 +1,178 @@
+#include "render/shape/superellipsoid.h"
+
+#include "render/shape/box.h"
+#include "render/shape/placed.h"
+#include "render/shape/tolerance.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <optional>
+
+namespace firstlight::render {
+namespace {
+
+constexpr double kNearest = 1e-4;  ///< POV-Ray's for this shape, as all that follows
+constexpr double kZero = 1e-10;
+constexpr double kReach = 1.01;
+constexpr int kMostRounds = 20;
+
+/// Planes between which the surface is smooth: each ray is looked at from one to the next.
+const std::array<Vec3, 9> kPlanes = {Vec3(1, 1, 0),  Vec3(1, -1, 0), Vec3(1, 0, 1), Vec3(1, 0, -1), Vec3(0, 1, 1),
+                                     Vec3(0, 1, -1), Vec3(1, 0, 0),  Vec3(0, 1, 0), Vec3(0, 0, 1)};
+
+/// (a^e + b^e)^(1/e)
+double norm(double a, double b, double e) {
+  const double larger = std::max(a, b);
+  if (larger == 0.0) return 0.0;
+  const double sum = 1.0 + std::pow(std::min(a, b) / larger, e);
+  return sum != 1.0 ? larger * std::pow(sum, 1.0 / e) : larger;
+}
+
+struct Superellipsoid {
+  double around;  ///< 2 / e
+  double along;   ///< 2 / n
+
+  double value(const Vec3& p) const {
+    return norm(norm(std::abs(p.x), std::abs(p.y), around), std::abs(p.z), along) - 1.0;
+  }
+
+  void meet(const Ray& given, Met& met) const {
+    const auto [length, ray] = UnitRay(given);
+    std::array<double, kPlanes.size() + 2> stops;
+    const std::size_t count = find_stops(ray, stops);
+    if (count == 0) return;
+    const auto add = [&met, l = length](double depth) {
+      const double at = depth / l;
+      if (!(at > kNearest && at < kMaxDistance)) return false;
+      met.add(at);
+      return true;
+    };
+    double before = value(ray.at(stops[0]));
+    if (std::abs(before) < kZero) add(stops[0]);
+    for (std::size_t i = 1; i < count && !met.is_enough(); ++i) {
+      const double here = value(ray.at(stops[i]));
+      if (std::abs(here) < kZero) {
+        add(stops[i]);
+      } else if (before * here < 0.0) {
+        add(root_between(ray, stops[i - 1], before, stops[i], here));
+      } else if (const std::optional<double> first = first_of_two(ray, stops[i - 1], before, stops[i])) {
+        if (!add(*first)) return;
+      }
+      before = here;
+    }
+  }
+  bool inside(const Vec3& point, bool inverted) const { return (value(point) < kEpsilon) != inverted; }
+  Vec3 normal(const Vec3& point, const Crossing&) const {
+    Vec3 n = point;
+    double ratio = 0.0;
+    double top = 0.0;
+    if (n.z != 0.0) {
+      top = std::pow(std::abs(n.z), along);
+      n.z = top / n.z;
+    }
+    if (std::abs(point.x) > std::abs(point.y)) {
+      ratio = std::pow(std::abs(point.y / point.x), around);
+      n.x = (1.0 - top) / point.x;
+      n.y = point.y != 0.0 ? (1.0 - top) * ratio / point.y : 0.0;
+    } else if (point.y != 0.0) {
+      ratio = std::pow(std::abs(point.x / point.y), around);
+      n.x = point.x != 0.0 ? (1.0 - top) * ratio / point.x : 0.0;
+      n.y = (1.0 - top) / point.y;
+    }
+    n.z *= 1.0 + ratio;
+    return n;
+  }
+  Box3 bounds() const { return Box3(Vec3(-1.0001), Vec3(1.0001)); }
+  Box3 inside_bounds() const { return bounds(); }
+
+ private:
+  /// Where the ray meets the planes, within the box about the shape, in order.
+  static std::size_t find_stops(const Ray& ray, std::array<double, kPlanes.size() + 2>& stops) {
+    double near = -kBoundingHuge;
+    double far = kBoundingHuge;
+    for (int axis = 0; axis < 3; ++axis) {
+      const double d = ray.direction[axis];
+      const double o = ray.origin[axis];
+      if (!(std::abs(d) > kEpsilon)) {
+        if (o < -kReach || o > kReach) return 0;
+        continue;
+      }
+      const double reach = d > 0.0 ? kReach : -kReach;
+      near = std::max(near, (-reach - o) / d);
+      far = std::min(far, (reach - o) / d);
+    }
+    if (near > far || far < kNearest) return 0;
+    near = std::max(near, kNearest);
+    std::size_t count = 0;
+    stops[count++] = near;
+    stops[count++] = far;
+    const double room = kEpsilon * (far - near);
+    for (const Vec3& plane : kPlanes) {
+      const double approach = ray.direction.dot(plane);
+      if (std::abs(approach) < kEpsilon) continue;
+      const double at = -ray.origin.dot(plane) / approach;
+      if (at >= near - room && at <= far + room) stops[count++] = at;
+    }
+    std::sort(stops.begin(), stops.begin() + static_cast<std::ptrdiff_t>(count));
+    return count;
+  }
+  /// Between two depths at which the values have different signs: secant and halving together.
+  double root_between(const Ray& ray, double a, double at_a, double b, double at_b) const {
+    for (int round = 0; round < kMostRounds; ++round) {
+      if (std::abs(at_a) < kZero) return a;
+      if (std::abs(at_b) < kZero) return b;
+      const double secant = a + (b - a) * (std::abs(at_a) / std::abs(at_b - at_a));
+      const double half = a + (b - a) * 0.5;
+      const double at_secant = value(ray.at(secant));
+      const double at_half = value(ray.at(half));
+      if (at_secant * at_half < 0.0) {
+        a = secant;
+        at_a = at_secant;
+        b = half;
+        at_b = at_half;
+        continue;
+      }
+      const bool secant_is_nearer = std::abs(at_secant) < std::abs(at_half);
+      const double next = secant_is_nearer ? secant : half;
+      const double at_next = secant_is_nearer ? at_secant : at_half;
+      if (at_a * at_next < 0.0) {
+        b = next;
+        at_b = at_next;
+      } else {
+        a = next;
+        at_a = at_next;
+      }
+    }
+    return std::abs(at_a) < std::abs(at_b) ? a : b;
+  }
+  /// Between two depths at which the values have one sign there may be two roots: Newton's steps from the first.
+  std::optional<double> first_of_two(const Ray& ray, double a, double at_a, double b) const {
+    const double start = a;
+    const double at_start = at_a;
+    double next = a + 0.0001 * (b - a);
+    const double longest = b - a;
+    double value_before = at_start;
+    for (int round = 0; a < b && round < kMostRounds; ++round) {
+      const double here = value(ray.at(next));
+      if (value_before * here < 0.0) return root_between(ray, start, value_before, next, here);
+      if (std::abs(here) < kZero) return next;
+      if ((value_before > 0.0 && here > value_before) || (value_before < 0.0 && here < value_before)) break;
+      if (here == value_before) break;
+      const double step = here * (next - a) / (here - value_before);
+      if (std::abs(step) > longest) break;
+      value_before = here;
+      a = next;
+      next -= step;
+    }
+    return std::nullopt;
+  }
+};
+
+}  // namespace
+
+ShapePtr make_superellipsoid(double east_west, double north_south) {
+  return std::make_shared<Placed<Superellipsoid>>(Superellipsoid{2.0 / east_west, 2.0 / north_south}, Transform());
+}
+
+}  // namespace firstlight::render
