@@ -57,6 +57,7 @@ Stepper::Stepper(const TraceContext& context, std::shared_ptr<const SurfaceTable
     light_places_.push_back({light.position.x, light.position.y, light.position.z, 0.0});
   }
   block_->feelers_may_gain = !bound_.known();
+  block_->irid_wavelength = Vec3(context.scene.settings.irid_wavelength);
   rays_->min_depth.at.fill(kNearestHit);
   rays_->max_depth.at.fill(kFarthestHit);
 }
