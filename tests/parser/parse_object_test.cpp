@@ -190,8 +190,8 @@ TEST(ParseObject, NothingOutOfNothingIsLimitedToo) {
 TEST(ParseObject, UnsupportedModifierIsNamed) {
   EXPECT_EQ(errors(load("sphere { 0, 1 uv_mapping }")),
             "'uv_mapping' cannot be rendered by this version of Firstlight\n");
-  EXPECT_EQ(errors(load("sphere { 0, 1 finish { crand 0.1 } }")),
-            "'crand' cannot be rendered by this version of Firstlight\n");
+  EXPECT_EQ(errors(load("sphere { 0, 1 pigment { tiling 1 } }")),
+            "'tiling' cannot be rendered by this version of Firstlight\n");
 }
 
 }  // namespace
