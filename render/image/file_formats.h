@@ -31,12 +31,14 @@ void check_size(std::int64_t width, std::int64_t height, std::size_t bytes, std:
 bool is_png(FileBytes file);
 bool is_jpeg(FileBytes file);
 bool is_gif(FileBytes file);
+bool is_hdr(FileBytes file);
 bool is_pnm(FileBytes file);  ///< P1 to P6: bitmaps, grey and colour, as text or binary
 bool is_tga(FileBytes file);  ///< It has no mark of its own: whether its header makes sense.
 
 Raster read_png(FileBytes file);
 Raster read_jpeg(FileBytes file);
 Raster read_gif(FileBytes file);
+Raster read_hdr(FileBytes file);
 Raster read_pnm(FileBytes file);
 Raster read_tga(FileBytes file);
 

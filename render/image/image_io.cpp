@@ -48,8 +48,8 @@ struct Reader {
   Raster (*read)(FileBytes file);
 };
 
-constexpr std::array kReaders = {Reader{is_png, read_png}, Reader{is_jpeg, read_jpeg}, Reader{is_gif, read_gif}, Reader{is_pnm, read_pnm},
-                                 Reader{is_tga, read_tga}};
+constexpr std::array kReaders = {Reader{is_png, read_png}, Reader{is_jpeg, read_jpeg}, Reader{is_gif, read_gif},
+                                 Reader{is_hdr, read_hdr}, Reader{is_pnm, read_pnm},   Reader{is_tga, read_tga}};
 
 const Format* find_format(const std::string& path, std::string_view format) {
   std::string extension(format);

@@ -73,7 +73,7 @@ void CompiledNormal::tilt(const SurfacePoints& points, const Transform* placemen
     tilt_by_map(points, there, normals);
   } else if (!entries_.empty()) {
     tilt_by_average(points, there, normals);
-  } else if (pattern_.field()->has_tilt()) {
+  } else if (pattern_.field() != nullptr && pattern_.field()->has_tilt()) {
     pattern_.field()->tilt({amount_, pattern.wave}, there, points, normals);
   } else {
     tilt_by_heights(points, there, normals);

@@ -23,12 +23,14 @@ class CompiledPattern {
   /// Null where the pattern is no field of numbers by itself.
   const Pattern* field() const { return field_.get(); }
 
+  /// Whether it is one of numbers at all: places() can be asked.
+  bool has_places() const { return field_ != nullptr || pigment_ != nullptr; }
   /// The picture of an image_map or a material_map; null for all others.
   const ImageMap* image() const { return image_.get(); }
 
   /// The pattern's points for those of `points`.
   void to_pattern(const SurfacePoints& points, Columns3<double>& there) const;
-  /// Places in the map at points of the pattern's space. Pre: a pattern of numbers.
+  /// Places in the map at points of the pattern's space. Pre: has_places().
   void places(const Columns3<double>& there, const SurfacePoints& points, Column<double>& places) const;
 
  private:

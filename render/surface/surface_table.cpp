@@ -95,7 +95,9 @@ SurfaceLayer SurfaceTable::prepared(const TextureLayer& layer) {
   surface.specular_exponent = finish.roughness_exponent;
   surface.metallic = finish.metallic;
   surface.has_rare = surface.diffuse_back != 0.0 || surface.brilliance != 1.0 || surface.phong != 0.0 ||
-                     (surface.metallic > 0.0 && surface.specular != 0.0);
+                     (surface.metallic > 0.0 && surface.specular != 0.0) || finish.crand > 0.0 || finish.irid > 0.0;
+  surface.crand = positive(finish.crand);
+  surface.irid = positive(finish.irid);
 
   surface.reflects = !is_black(finish.reflection_max) || !is_black(finish.reflection_min);
   surface.strongest = std::max(max_component(finish.reflection_max), max_component(finish.reflection_min));

@@ -48,6 +48,8 @@ struct SurfaceLayer {
   double phong = 0.0;
   double phong_size = 0.0;
   double metallic = 0.0;
+  double crand = 0.0;
+  double irid = 0.0;
 };
 
 /// Layers that lie on each other, topmost first: a texture that is not made of other textures.

@@ -30,7 +30,7 @@ class PatternFunction final : public Function {
       : Function(3, 1, kPatternCost, pattern.depth + 1, uses_of(pattern)), pattern_(std::move(pattern)), compiled_(pattern_, world) {}
   void evaluate(const double* arguments, double* results, Evaluation&) const override {
     *results = 0.0;
-    if (compiled_.field() == nullptr || !unrendered().empty()) return;
+    if (!compiled_.has_places() || !unrendered().empty()) return;
     SurfacePoints points;
     points.size = 1;
     points.at.set(0, Vec3(arguments[0], arguments[1], arguments[2]));

@@ -37,6 +37,9 @@ struct LayerColumns {
   Column<double> phong;
   Column<double> phong_size;
   Column<double> metallic;
+  Column<double> crand;  ///< most that chance takes from the diffuse light of one light, of a white surface
+  Column<double> irid;   ///< strength of the colours of a thin film
+  Column<double> film;   ///< its thickness, in the unit of HitBlock::irid_wavelength
 };
 
 /// Hits side by side, to be lit together. Plain data.
@@ -64,6 +67,8 @@ struct HitBlock {
   std::vector<Arrival> arrivals;               ///< room for those of lights that are not plain
   std::vector<Columns3<double>> spread_light;  ///< the same of area lights whose points light one by one
 
+  Vec3 irid_wavelength{0.0};      ///< of red, green and blue
+  std::uint64_t first_light = 0;  ///< number of the first of the lights that shine in one go
   bool feelers_may_gain = false;  ///< what they cross may make more light of theirs: RadianceBound::most_of_feelers()
   std::array<Foreseen, kLightsAtOnce> foreseen{};  ///< of the feelers to each light
 

@@ -1,5 +1,6 @@
 // Lights on many hits at once, and the feelers that take them back.
 
+#include "render/math/point_hash.h"
 #include "render/trace/hit_block.h"
 
 // This file is compiled once for each instruction set; the best one that the machine has is chosen at run time. The
@@ -11,6 +12,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 #include "render/light/area_grid.h"
 #include "render/trace/packing-inl.h"
@@ -116,6 +118,7 @@ struct Lit {
   V cosine;      ///< to the normal
   Mask behind;
   Mask used;  ///< lanes that stand for a hit; the others hold anything
+  std::uint64_t light;  ///< its number
   bool highlights;
 };
 
@@ -143,6 +146,32 @@ HWY_INLINE V specular(const LayerColumns& layer, std::size_t i, const Lit& lit, 
   return hn::IfThenElseZero(seen, hn::Mul(amount, power(d, square, exponent)));
 }
 
+/// What a thin film makes of white light by interference: 1 + irid cos(2 pi film (|n.l| + |n.e|) / wavelength).
+HWY_INLINE Vec film_tint(const HitBlock& block, const LayerColumns& layer, std::size_t i, const Lit& lit,
+                         const Vec& normal) {
+  const D d;
+  alignas(64) double cosines[8];
+  alignas(64) double tints[3][8] = {};
+  hn::Store(hn::Add(hn::Abs(lit.cosine), hn::Abs(dot(normal, load(block.direction, i)))), d, cosines);
+  for (std::size_t k = 0; k < hn::Lanes(d) && i + k < block.size; ++k) {
+    const double irid = layer.irid[i + k];
+    const double way = 2.0 * std::numbers::pi * layer.film[i + k] * cosines[k];
+    for (int c = 0; c < 3; ++c) tints[c][k] = irid == 0.0 ? 1.0 : 1.0 + irid * std::cos(way / block.irid_wavelength[c]);
+  }
+  return {hn::Load(d, tints[0]), hn::Load(d, tints[1]), hn::Load(d, tints[2])};
+}
+
+/// What chance takes from the diffuse light of one light.
+HWY_INLINE V chance(const HitBlock& block, const LayerColumns& layer, std::size_t i, const Lit& lit) {
+  alignas(64) double taken[8] = {};
+  const auto number = static_cast<std::uint64_t>(&layer - block.layers.data());
+  for (std::size_t k = 0; k < hn::Lanes(D()) && i + k < block.size; ++k) {
+    const double crand = layer.crand[i + k];
+    if (crand != 0.0) taken[k] = crand * hashed_number(block.point.vector(i + k), lit.light << 16 | number);
+  }
+  return hn::Load(D(), taken);
+}
+
 /// What one layer makes of white light, times the ray's weight.
 HWY_INLINE Vec term_of(const HitBlock& block, const LayerColumns& layer, std::size_t i, const Lit& lit,
                        const Vec& normal, const Vec& mirrored) {
@@ -157,7 +186,11 @@ HWY_INLINE Vec term_of(const HitBlock& block, const LayerColumns& layer, std::si
     back = load(layer.diffuse_back, i);
   }
   const V amount = hn::IfThenElse(lit.behind, back, load(layer.diffuse, i));
-  Vec term = only_where(hn::Ne(amount, zero), load(layer.color, i) * hn::Mul(falloff, amount));
+  V intensity = hn::Mul(falloff, amount);
+  if (layer.has_rare && any(hn::And(lit.used, hn::Ne(load(layer.crand, i), zero)))) {
+    intensity = hn::Sub(intensity, chance(block, layer, i, lit));
+  }
+  Vec term = only_where(hn::Ne(amount, zero), load(layer.color, i) * intensity);
   if (lit.highlights) {
     // Which highlights there are is asked of the surfaces alone: whether they face the light cannot be foretold.
     const V shine = layer.has_rare ? load(layer.phong, i) : zero;
@@ -176,6 +209,9 @@ HWY_INLINE Vec term_of(const HitBlock& block, const LayerColumns& layer, std::si
       }
       term = term + only_where(hn::Ne(highlight, zero), tint_of(layer, i, lit.cosine) * highlight);
     }
+  }
+  if (layer.has_rare && any(hn::And(lit.used, hn::Ne(load(layer.irid, i), zero)))) {
+    term = term * film_tint(block, layer, i, lit, normal);
   }
   return load(layer.share, i) * term;
 }
@@ -305,6 +341,7 @@ void light_hits_of(HitBlock& block, std::span<const Light> lights) {
       lit.cosine = dot(normal, lit.to_light);
       lit.behind = hn::Lt(lit.cosine, load(block.lit_from, i));
       lit.highlights = !light.shadowless;
+      lit.light = block.first_light + l;
       if (!is_spread && !block.lit_from_behind && hn::AllFalse(d, hn::AndNot(lit.behind, lit.used))) {
         continue;
       }

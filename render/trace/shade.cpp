@@ -1,6 +1,7 @@
 // The surfaces that rays meet: their own light, lights as if unoccluded, and the rays they send on.
 
 #include "render/math/interrupt.h"
+#include "render/math/noise.h"
 #include "render/trace/fade.h"
 #include "render/trace/local_light.h"
 #include "render/trace/step.h"
@@ -9,6 +10,7 @@
 #include <algorithm>
 #include <bit>
 #include <cmath>
+#include <numbers>
 
 namespace firstlight::render {
 namespace {
@@ -27,7 +29,8 @@ void clear_amounts(LayerColumns& layer, std::size_t count) {
 void set_rare(LayerColumns& columns, std::size_t hit, std::size_t count, const SurfaceLayer& layer, double opacity) {
   if (!columns.has_rare) {
     columns.has_rare = true;
-    for (Column<double>* column : {&columns.diffuse_back, &columns.phong, &columns.phong_size, &columns.metallic}) {
+    for (Column<double>* column : {&columns.diffuse_back, &columns.phong, &columns.phong_size, &columns.metallic,
+                                   &columns.crand, &columns.irid, &columns.film}) {
       std::fill_n(column->at.begin(), count, 0.0);
     }
     std::fill_n(columns.brilliance.at.begin(), count, 1.0);
@@ -37,6 +40,15 @@ void set_rare(LayerColumns& columns, std::size_t hit, std::size_t count, const S
   columns.phong[hit] = layer.phong;
   columns.phong_size[hit] = layer.phong_size;
   columns.metallic[hit] = layer.metallic;
+  columns.crand[hit] = layer.crand;
+  columns.irid[hit] = layer.irid;
+}
+
+/// Thickness of the film on a layer, which its turbulence makes uneven.
+double film_at(const Finish& finish, const Vec3& point, int noise_generator) {
+  if (finish.irid_turbulence == 0.0) return finish.irid_thickness;
+  const double noise = turbulence(point, {5, 2.0f, 0.5f}, noise_generator);
+  return finish.irid_thickness * (1.0 + (2.0 * noise - 1.0) * finish.irid_turbulence);
 }
 
 /// Lights behind the hit may shine on what is tilted.
@@ -183,6 +195,9 @@ void Stepper::put_on(std::size_t hit, const Coat& coat, double of_texture, std::
     if (layer.has_rare) {
       set_rare(columns, hit, block.capacity, layer, color.opacity);
       block.lit_from_behind |= layer.diffuse_back != 0.0;
+      if (layer.irid != 0.0) {
+        columns.film[hit] = film_at(*layer.source->finish, block.point.vector(hit), context_.scene.settings.noise_generator);
+      }
     }
     Vec3 normal(0.0);
     const bool is_tilted = !kIsEven && layer.normal != nullptr;
@@ -230,6 +245,7 @@ void Stepper::shade() {
     for (std::size_t first = 0; first < lights.size() && !Interrupt::asked(); first += kLightsAtOnce) {
       const std::size_t count = std::min(kLightsAtOnce, lights.size() - first);
       context_.accel.foresee(starts, first, lights.subspan(first, count), block.foreseen);
+      block.first_light = first;
       light_hits(block, lights.subspan(first, count));
       spawn_feelers(static_cast<std::uint32_t>(first), count);
     }
@@ -377,6 +393,21 @@ Vec3 Stepper::reflected_by(std::size_t hit, const Vec3& normal) const {
   return reflected.normalized();
 }
 
+/// As film_tint() in light_block.cpp, of light that is mirrored.
+Rgb Stepper::film_color(std::size_t hit, const Mirror& mirror, PackedDirection reflected) const {
+  const Settings& settings = context_.scene.settings;
+  const Vec3 normal = mirror.is_tilted ? mirror.normal : block_->normal.vector(hit);
+  const double film =
+      film_at(*mirror.layer->source->finish, block_->point.vector(hit), settings.noise_generator);
+  const double cosines = std::abs(normal.dot(reflected.unpack())) + std::abs(normal.dot(block_->direction.vector(hit)));
+  const double way = 2.0 * std::numbers::pi * film * cosines;
+  const auto channel = [&](float wavelength) {
+    return static_cast<float>(1.0 + mirror.layer->irid * std::cos(way / static_cast<double>(wavelength)));
+  };
+  const Rgb& lengths = settings.irid_wavelength;
+  return {channel(lengths.x), channel(lengths.y), channel(lengths.z)};
+}
+
 void Stepper::spawn_reflections(const Coating& coating, bool totally) {
   const Surface& surface = surfaces_[coating.hit];
   for (const Mirror& mirror : std::span(mirrors_).subspan(coating.first_mirror, coating.mirror_count)) {
@@ -390,7 +421,9 @@ void Stepper::spawn_reflections(const Coating& coating, bool totally) {
     begin_child(child, coating.hit, RayKind::reflection);
     child.set_direction(mirror.is_tilted ? PackedDirection(reflected_by(coating.hit, mirror.normal))
                                          : std::bit_cast<PackedDirection>(block_->mirrored[coating.hit]));
-    child.set_weight(coating.weight * mirror.reflection, static_cast<float>(mirror.adc_weight));
+    Rgb weight = coating.weight * mirror.reflection;
+    if (mirror.layer->irid != 0.0) weight *= film_color(coating.hit, mirror, child.direction());
+    child.set_weight(weight, static_cast<float>(mirror.adc_weight));
     child.flags |= RayTask::kReflected;
     const double exponent = mirror.layer->source->finish->reflection_exponent;
     if (exponent == 1.0) {

@@ -55,6 +55,7 @@ Stepper::Stepper(const TraceContext& context, std::shared_ptr<const SurfaceTable
     if (light.area && !area_shadow_) area_shadow_ = std::make_unique<AreaShadow>(context.scene, shadow_);
   }
   block_->feelers_may_gain = !bound_.known();
+  block_->irid_wavelength = Vec3(context.scene.settings.irid_wavelength);
   rays_->min_depth.at.fill(kNearestHit);
   rays_->max_depth.at.fill(kFarthestHit);
 }

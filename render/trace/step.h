@@ -138,6 +138,8 @@ class Stepper {
   bool spawn_transmission(const Coating& coating);
   /// `totally`: the coat reflects all by its topmost normal, so that mirrors of this normal have no part.
   void spawn_reflections(const Coating& coating, bool totally);
+  /// What a thin film on the mirror makes of white light that comes from where it reflects.
+  Rgb film_color(std::size_t hit, const Mirror& mirror, PackedDirection reflected) const;
   /// Where a ray goes that a tilted normal reflects.
   Vec3 reflected_by(std::size_t hit, const Vec3& normal) const;
   /// `steepness`: minus the cosine of the ray to the layer's normal; even mirrors do not ask for it.

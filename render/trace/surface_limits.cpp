@@ -30,7 +30,7 @@ bool may_turn_negative(const TextureLayer& layer, int language_version) {
                                                                    max_component(finish.reflection_max)) > 1.0f;
   return is_negative(finish.ambient) || is_negative(finish.emission) || is_negative(finish.reflection_min) ||
          is_negative(finish.reflection_max) || finish.reflection_metallic < 0.0 || finish.reflection_metallic > 1.0 ||
-         finish.metallic > 1.0 || mirrors_too_much ||
+         finish.metallic > 1.0 || finish.crand > 0.0 || finish.irid > 1.0 || mirrors_too_much ||
          PigmentLimits(layer.pigment, language_version).may_turn_negative();
 }
 
@@ -145,8 +145,11 @@ double Maker::lit(const Finish& finish, const PigmentLimits& pigment, std::size_
   const double glow =
       std::abs(channels_of(finish.ambient)[channel] * channels_of(scene_.settings.ambient_light)[channel] +
                channels_of(finish.emission)[channel]);
-  return pigment.body[channel] * (glow + diffuse * diffuse_lights_[channel]) +
-         highlights * tint * shining_lights_[channel];
+  const double film = 1.0 + std::max(0.0, finish.irid);
+  // What chance takes is not less where little of the layer is left.
+  const double chance = std::max(0.0, finish.crand) * pigment.color[channel].size();
+  return pigment.body[channel] * (glow + film * diffuse * diffuse_lights_[channel]) +
+         film * chance * diffuse_lights_[channel] + film * highlights * tint * shining_lights_[channel];
 }
 
 double Maker::mirror_of(const Finish& finish, const PigmentLimits& pigment) {
@@ -157,6 +160,7 @@ double Maker::mirror_of(const Finish& finish, const PigmentLimits& pigment) {
     mirror = std::max(mirror, std::max(std::abs(least[i]), std::abs(most[i])) *
                                   largest_tint(finish.reflection_metallic, pigment.color[i]));
   }
+  mirror *= 1.0 + std::max(0.0, finish.irid);
   need(mirror == 0.0 || finish.reflection_fresnel || finish.reflection_falloff >= 0.0);
   return mirror;
 }

@@ -1,5 +1,6 @@
 // The list of scenes and what they say of themselves.
 
+#include "render/texture/pattern_kind.h"
 #include "tests/golden/run.h"
 #include "tests/golden/scene_list.h"
 
@@ -33,6 +34,16 @@ TEST(SceneList, HoldsTheScenesOfEveryFolder) {
   }
   for (const char* name : {"shapes_sphere", "full_mirror_room", "povray_examples_language_macros_macro1"}) {
     EXPECT_TRUE(names.contains(name)) << name;
+  }
+}
+
+TEST(Patterns, EachThatIsRenderedHasASceneOfItsName) {
+  using render::PatternKind;
+  for (int i = static_cast<int>(PatternKind::plain) + 1; i <= static_cast<int>(PatternKind::wrinkles); ++i) {
+    const auto kind = static_cast<PatternKind>(i);
+    if (!render::is_rendered(render::feature_of(kind))) continue;
+    const std::string word(render::spelling(kind));
+    EXPECT_TRUE(std::filesystem::exists(testscenes() / "patterns" / (word + ".pov"))) << word;
   }
 }
 

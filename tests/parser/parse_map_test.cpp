@@ -101,6 +101,9 @@ TEST(ParseMap, QuickColorIsKept) {
 /// A file of the current folder, there while the object lives.
 class PictureFile {
  public:
+  PictureFile(std::string name, const std::string& bytes) : name_(std::move(name)) {
+    std::ofstream(name_, std::ios::binary) << bytes;
+  }
   explicit PictureFile(std::string name) : name_(std::move(name)) {
     // A GIF of one pixel and four colours: what a file is, is told by what it contains.
     const unsigned char bytes[] = {'G', 'I', 'F', '8', '9', 'a', 1, 0,   1, 0, 0x81, 0, 0, 0, 0, 0, 90, 90, 90, 180, 180, 180,
@@ -108,23 +111,6 @@ class PictureFile {
     std::ofstream(name_, std::ios::binary).write(reinterpret_cast<const char*>(bytes), sizeof(bytes));
   }
   ~PictureFile() {
-    std::error_code ignored;
-    std::filesystem::remove(name_, ignored);
-  }
-  std::string quoted() const { return "\"" + name_ + "\""; }
-
- private:
-  std::string name_;
-};
-
-/// One density of 8 bits. Its size comes first, high bytes before low ones.
-class DensityFile {
- public:
-  explicit DensityFile(std::string name) : name_(std::move(name)) {
-    const char bytes[] = {0, 1, 0, 1, 0, 1, 100};
-    std::ofstream(name_, std::ios::binary).write(bytes, sizeof(bytes));
-  }
-  ~DensityFile() {
     std::error_code ignored;
     std::filesystem::remove(name_, ignored);
   }
@@ -225,11 +211,13 @@ TEST(ParseImage, OnlyImageMapsAreStrictAboutTheirProjection) {
 }
 
 TEST(ParseImage, DensityFilesAreFoundToo) {
-  const DensityFile file("firstlight_parse_image.df3");
+  const PictureFile file("firstlight_parse_image.df3", std::string("\0\1\0\1\0\1\x7f", 7));
   const auto pigment = pigment_of("density_file df3 " + file.quoted() + " interpolate 1");
   EXPECT_TRUE(says(parameters<render::DensityFileParameters>(pigment.pattern).path, "firstlight_parse_image.df3"));
   EXPECT_EQ(parameters<render::DensityFileParameters>(pigment.pattern).interpolation, 1);
   EXPECT_TRUE(says(pigment_error("density_file " + file.quoted()), "expected 'df3'"));
+  const PictureFile cut("firstlight_parse_cut.df3", "123");
+  EXPECT_TRUE(says(pigment_error("density_file df3 " + cut.quoted()), "ends too early"));
 }
 
 }  // namespace

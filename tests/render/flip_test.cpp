@@ -12,18 +12,18 @@
 namespace firstlight::render {
 namespace {
 
-using Colors = std::vector<Rgb>;
+using Pixels = std::vector<Rgb>;
 
 constexpr int kWidth = 48;
 constexpr int kHeight = 40;
 
-Colors plain(const Rgb& color) { return Colors(static_cast<std::size_t>(kWidth * kHeight), color); }
+Pixels plain(const Rgb& color) { return Pixels(static_cast<std::size_t>(kWidth * kHeight), color); }
 
 std::size_t at(int x, int y) { return static_cast<std::size_t>(y * kWidth + x); }
 
 /// Colours of a smooth picture with an edge in it.
-Colors example() {
-  Colors image;
+Pixels example() {
+  Pixels image;
   for (int y = 0; y < kHeight; ++y) {
     for (int x = 0; x < kWidth; ++x) {
       const float u = static_cast<float>(x) / kWidth;
@@ -34,14 +34,14 @@ Colors example() {
   return image;
 }
 
-Colors noisy(Colors image, float amount) {
+Pixels noisy(Pixels image, float amount) {
   std::mt19937 random(7);
   std::uniform_real_distribution<float> offset(-1.0f, 1.0f);
   for (Rgb& color : image) color += Rgb(offset(random), offset(random), offset(random)) * amount;
   return image;
 }
 
-double flip(const Colors& reference, const Colors& test) { return Flip(reference, kWidth, kHeight).mean(test); }
+double flip(const Pixels& reference, const Pixels& test) { return Flip(reference, kWidth, kHeight).mean(test); }
 
 TEST(Flip, EqualPicturesDoNotDiffer) { EXPECT_EQ(flip(example(), example()), 0.0); }
 
@@ -68,7 +68,7 @@ TEST(Flip, HueMattersLessInTheDark) {
 }
 
 TEST(Flip, IsSymmetric) {
-  const Colors changed = noisy(example(), 0.2f);
+  const Pixels changed = noisy(example(), 0.2f);
   EXPECT_NEAR(flip(example(), changed), flip(changed, example()), 1e-7);
 }
 
@@ -85,7 +85,7 @@ TEST(Flip, GrowsWithTheNoise) {
 // A checkerboard of single pixels is 33 cycles a degree: next to nothing of it passes the eye's filters, so it looks
 // grey.
 TEST(Flip, FinePatternsLookGrey) {
-  Colors checker = plain(Rgb(0.0f));
+  Pixels checker = plain(Rgb(0.0f));
   for (int y = 0; y < kHeight; ++y) {
     for (int x = 0; x < kWidth; ++x) checker[at(x, y)] = Rgb((x + y) % 2 == 0 ? 1.0f : 0.0f);
   }
@@ -96,7 +96,7 @@ TEST(Flip, FinePatternsLookGrey) {
 // colour. The point filter answers with 0.5 * 0.2990 * 0.1453 = 0.0217 in both directions, which raises that to the
 // power of 1 - sqrt(0.0217).
 TEST(Flip, PointsAreSeen) {
-  Colors dotted = plain(Rgb(0.5f));
+  Pixels dotted = plain(Rgb(0.5f));
   dotted[at(20, 20)] = Rgb(1.0f);
   const std::vector<float> map = Flip(plain(Rgb(0.5f)), kWidth, kHeight).map(dotted);
   EXPECT_NEAR(map[at(20, 20)], 0.2111, 2e-4);
@@ -107,20 +107,20 @@ TEST(Flip, PointsAreSeen) {
 // The measure has no preferred direction.
 TEST(Flip, TurnsWithThePicture) {
   const int size = 32;
-  Colors upright(size * size, Rgb(0.2f));
+  Pixels upright(size * size, Rgb(0.2f));
   for (int y = 0; y < size; ++y) upright[static_cast<std::size_t>(y * size + 12)] = Rgb(0.9f, 0.3f, 0.1f);
-  Colors lying(size * size, Rgb(0.2f));
+  Pixels lying(size * size, Rgb(0.2f));
   for (int x = 0; x < size; ++x) lying[static_cast<std::size_t>(12 * size + x)] = Rgb(0.9f, 0.3f, 0.1f);
-  const Colors grey(size * size, Rgb(0.2f));
+  const Pixels grey(size * size, Rgb(0.2f));
   const Flip flip(grey, size, size);
   EXPECT_NEAR(flip.mean(upright), flip.mean(lying), 1e-6);
   EXPECT_GT(flip.mean(upright), 0.05);
 }
 
 TEST(Flip, FewerPixelsADegreeBlurLess) {
-  Colors dotted = plain(Rgb(0.5f));
+  Pixels dotted = plain(Rgb(0.5f));
   dotted[at(20, 20)] = Rgb(1.0f, 0.5f, 0.5f);
-  const Colors grey = plain(Rgb(0.5f));
+  const Pixels grey = plain(Rgb(0.5f));
   EXPECT_GT(Flip(grey, kWidth, kHeight, 20.0).map(dotted)[at(20, 20)],
             Flip(grey, kWidth, kHeight, 67.0).map(dotted)[at(20, 20)]);
 }
@@ -128,36 +128,36 @@ TEST(Flip, FewerPixelsADegreeBlurLess) {
 TEST(Flip, TakesAnyColourAndAnySize) {
   const float nan = std::numeric_limits<float>::quiet_NaN();
   const float infinity = std::numeric_limits<float>::infinity();
-  const Colors wild{Rgb(nan, -3.0f, infinity), Rgb(-infinity, 7.0f, nan)};
-  const Colors shown{Rgb(0.0f, 0.0f, 1.0f), Rgb(0.0f, 1.0f, 0.0f)};
+  const Pixels wild{Rgb(nan, -3.0f, infinity), Rgb(-infinity, 7.0f, nan)};
+  const Pixels shown{Rgb(0.0f, 0.0f, 1.0f), Rgb(0.0f, 1.0f, 0.0f)};
   EXPECT_EQ(Flip(shown, 2, 1).mean(wild), 0.0);
   EXPECT_EQ(Flip(shown, 1, 2).mean(wild), 0.0);
   EXPECT_EQ(Flip({}, 0, 0).mean({}), 0.0);
 }
 
 TEST(MeanAbsoluteDifference, IsTheMeanOverPixelsAndChannels) {
-  const Colors a{Rgb(0.5f, 0.25f, 0.0f), Rgb(1.0f, 1.0f, 1.0f)};
-  const Colors b{Rgb(0.25f, 0.5f, 0.0f), Rgb(1.0f, 0.0f, 1.0f)};
+  const Pixels a{Rgb(0.5f, 0.25f, 0.0f), Rgb(1.0f, 1.0f, 1.0f)};
+  const Pixels b{Rgb(0.25f, 0.5f, 0.0f), Rgb(1.0f, 0.0f, 1.0f)};
   EXPECT_DOUBLE_EQ(mean_absolute_difference(a, b), (0.25 + 0.25 + 1.0) / 6.0);
 }
 
 TEST(MeanAbsoluteDifference, SeesWhatADisplayShows) {
   const float nan = std::numeric_limits<float>::quiet_NaN();
-  EXPECT_EQ(mean_absolute_difference(Colors{Rgb(1.0f, -2.0f, nan)}, Colors{Rgb(9.0f, 0.0f, 0.0f)}), 0.0);
+  EXPECT_EQ(mean_absolute_difference(Pixels{Rgb(1.0f, -2.0f, nan)}, Pixels{Rgb(9.0f, 0.0f, 0.0f)}), 0.0);
 }
 
 TEST(RemainingDifference, IsOneForBlackAndNoneAtTheEnd) {
-  const Colors finished = example();
+  const Pixels finished = example();
   const RemainingDifference remaining(finished);
   EXPECT_DOUBLE_EQ(remaining(plain(Rgb(0.0f))), 1.0);
   EXPECT_EQ(remaining(finished), 0.0);
-  Colors half = finished;
+  Pixels half = finished;
   for (Rgb& color : half) color *= 0.5f;
   EXPECT_NEAR(remaining(half), 0.5, 1e-6);
 }
 
 TEST(RemainingDifference, ABlackFinishedPictureHasNoUnit) {
-  const Colors black = plain(Rgb(0.0f));
+  const Pixels black = plain(Rgb(0.0f));
   const RemainingDifference remaining(black);
   EXPECT_EQ(remaining(black), 0.0);
   EXPECT_EQ(remaining(plain(Rgb(0.1f))), 1.0);

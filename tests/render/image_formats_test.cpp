@@ -388,6 +388,41 @@ TEST_F(RasterFile, LightComesAsFloats) {
   EXPECT_EQ(to_picture(raster).rgb, (Bytes{64, 128, 255}));
 }
 
+const std::string kGif("GIF89a\1\0\1\0\x81\0\0\0\0\0Z\0\0\xb4\0\0\xff\0\0,\0\0\0\0\1\0\1\0\0\2\2\x4c\1\0;", 41);
+
+TEST_F(RasterFile, GifHasIndicesAndAPalette) {
+  std::ofstream(path_, std::ios::binary) << kGif;
+  const Raster raster = read_raster(path_, error_, Palette::keep);
+  EXPECT_EQ(error_, "");
+  EXPECT_EQ(raster.width, 1);
+  ASSERT_EQ(raster.palette.size(), 4u);
+  EXPECT_EQ(raster.palette[1], (Raster::Color{90, 0, 0, 255}));
+  EXPECT_EQ(std::get<Raster::Bytes>(raster.samples), Raster::Bytes{1});
+  for (std::size_t size = 13; size + 2 < kGif.size(); ++size) {
+    std::ofstream(path_, std::ios::binary) << kGif.substr(0, size);
+    read_raster(path_, error_);
+    EXPECT_NE(error_, "") << size;
+  }
+}
+
+TEST_F(RasterFile, RadianceRowsArePlainOrPacked) {
+  const std::string header = "#?RADIANCE\nFORMAT=32-bit_rle_rgbe\n\n-Y 1 +X 8\n";
+  const auto read_light = [&](const std::string& row) {
+    std::ofstream(path_, std::ios::binary) << header << row;
+    return read_raster(path_, error_);
+  };
+  const Raster packed = read_light(std::string("\2\2\0\x08", 4) + "\x88\x80" + "\x88\x40" + std::string("\x88\0", 2) + "\x88\x81");
+  EXPECT_EQ(error_, "");
+  ASSERT_EQ(std::get<Raster::Floats>(packed.samples).size(), 24u);
+  EXPECT_FLOAT_EQ(static_cast<float>(packed.value(3)), 128.5f / 128.0f);
+  EXPECT_FLOAT_EQ(static_cast<float>(packed.value(4)), 64.5f / 128.0f);
+  const Raster plain = read_light(std::string("\x80\x40\0\x81", 4) + "\1\1\1\7");
+  EXPECT_EQ(error_, "");
+  EXPECT_EQ(std::get<Raster::Floats>(plain.samples), std::get<Raster::Floats>(packed.samples));
+  read_light(std::string("\x80\x40\0\x81", 4) + "\1\1\1\x09");
+  EXPECT_NE(error_, "");
+}
+
 TEST_F(RasterFile, BrokenFileIsNamed) {
   const Raster raster = read("P5 100 100 255\nabc");
   EXPECT_EQ(error_, "cannot read '" + path_ + "': the file ends too early");

@@ -1,0 +1,11 @@
+// The old form of checker for textures.
+#version 3.7;
+global_settings { assumed_gamma 1 }
+camera { location <0, 0, -6> look_at 0 angle 60 }
+light_source { <-10, 20, -30> rgb 1 }
+#declare Map = color_map { [0 rgb <0, 0, 0.4>] [0.4 rgb <0.9, 0.3, 0.1>] [0.7 rgb <0.9, 0.9, 0.3>] [1 rgb 1] }
+#macro Ball(I, J, T) sphere { 0, 0.72 texture { T } translate <I*1.5 - 2.25, 0.78 - J*1.56, 0> } #end
+
+Ball(0, 0, texture { tiles { texture { pigment { rgb x } } tile2 texture { pigment { rgb y } finish { reflection 0.3 } } } scale 0.3 })
+plane { y, -1 texture { tiles { texture { pigment { granite } } tile2 texture { pigment { rgbt <1, 1, 1, 0.5> } } texture { pigment { rgbt <1, 0, 0, 0.5> } } } rotate 20*y } }
+plane { y, -1.5 pigment { rgb z } }
