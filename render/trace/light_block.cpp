@@ -312,8 +312,9 @@ void light_hits_of(HitBlock& block, std::span<const Light> lights) {
       const Mask shines =
           hn::Ge(hn::Max(hn::Abs(color.x), hn::Max(hn::Abs(color.y), hn::Abs(color.z))), hn::Set(d, kNegligible));
       color = only_where(shines, color * term);
-      const Mask is_light = hn::And(lit.used, is_some(color));
-      if (light.shadowless) {
+      Mask is_light = hn::And(lit.used, is_some(color));
+      if (block.reached[l] != ~std::uint64_t{0}) is_light = hn::And(is_light, lanes_of(block.reached[l] >> i));
+      if (is_sure(light)) {
         sure = sure + only_where(is_light, color);
         continue;
       }
