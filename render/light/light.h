@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <memory>
 #include <optional>
 
@@ -55,6 +56,10 @@ struct Light {
   std::optional<bool> photon_refraction = {};
   bool photon_area_light = false;  ///< photons start from all over the area
 
+  std::uint32_t group = 0;             ///< of a scene: the light group whose members alone it shines on; 0: all others
+  std::uint32_t window = kNoWindow;    ///< of a scene: into Scene::windows, what it is projected through
+  static constexpr std::uint32_t kNoWindow = 0xffffffffu;
+
   std::shared_ptr<const Object> looks_like = {};         ///< in the space around the light; casts no shadow
   std::shared_ptr<const Object> projected_through = {};  ///< the same: light is only where it has come through this
   FeatureUses unrendered = {};
@@ -82,8 +87,13 @@ inline double reach_to(const Light& light, const Vec3& point) {
   return std::max(0.0, aim_at(light, light.position, point).depth);
 }
 
-/// Whether feelers lead to one point, wherever they begin.
-inline bool is_one_point(const Light& light) { return !light.parallel && !light.area; }
+/// Whether a feeler leads to one point, wherever it begins, and is blocked by whatever is on its way.
+inline bool is_one_point(const Light& light) {
+  return !light.parallel && !light.area && light.window == Light::kNoWindow;
+}
+
+/// Whether the light is added without asking what is on its way.
+inline bool is_sure(const Light& light) { return light.shadowless && light.window == Light::kNoWindow; }
 
 /// Whether each point of the light's area lights for itself, and not only casts its shadow.
 inline bool has_spread_light(const Light& light) { return light.area && light.area_illumination; }

@@ -38,7 +38,14 @@ struct Part {
   bool opaque = false;                        ///< no light passes, from either side
   bool inverted = false;
   bool double_illuminate = false;
+  bool global_lights = true;      ///< lights that are in no group shine on it
+  std::uint32_t light_group = 0;  ///< whose lights shine on it, too; 0: none
 };
+
+/// Whether the light shines on the part: it does not, if it belongs to another light group.
+inline bool shines_on(const Light& light, const Part& part) {
+  return light.group == 0 ? part.global_lights : light.group == part.light_group;
+}
 
 /// What the scene's colour numbers mean (assumed_gamma), which decides how the finished picture is written.
 enum class WorkingGamma {
@@ -79,6 +86,7 @@ struct Scene {
   /// Top-level solids in the order of the scene text, which has a part in who is seen of those in one place.
   std::vector<Solid> solids;
   std::vector<Part> parts;
+  std::vector<Solid> windows;  ///< what lights are projected through: it is met by no ray, and has no surface
   std::vector<PlacedTexture> textures;
   std::vector<std::uint32_t> shape_textures;  ///< the lists of all shapes that have some, into `textures`
   std::vector<Shared<Interior>> interiors;

@@ -36,6 +36,10 @@ struct Inherited {
   bool uv_mapping = false;  ///< of the textures
   bool hollow = false;
   Moves moves;  ///< of the dissolved unions around, one after another, for extent()
+  std::uint32_t light_group = 0;   ///< whose lights shine on it; 0: none
+  std::uint32_t group_at_hand = 0;  ///< of lights that are members of the node itself
+  bool in_light_group = false;
+  bool global_lights = true;
 };
 
 std::uint8_t hidden_bits(const Object& object) {
@@ -97,6 +101,13 @@ struct SceneBuilder::State {
   ObjectTable objects;
   TexturePtr default_texture;   ///< of the object that is being added
   const Object* top = nullptr;  ///< that object
+  /// What lights of that object look like, in the scene, to be added behind it.
+  struct Look {
+    std::shared_ptr<const Object> object;
+    Inherited around;
+  };
+  std::vector<Look> looks;
+  std::uint32_t light_groups = 0;  ///< so far
   std::uint64_t size = 1;       ///< of the top-level solid at hand
   bool has_camera = false;
   BoundingRules bounding;
@@ -104,6 +115,7 @@ struct SceneBuilder::State {
 
   const Shared<Interior>& air();
   Inherited at_node(const Object& object, const Inherited& parent);
+  void join_light_group(const Object& object, Inherited& node);
   void promote_finish(std::uint32_t texture, std::uint32_t interior);
   bool dissolves(const Object& object, const Inherited& parent) const;
   std::optional<Inherited> within(const Object& object, const Inherited& parent);
@@ -111,7 +123,10 @@ struct SceneBuilder::State {
   void add_solid(const Object& object, const Inherited& parent);
   void note_region(const ObjectList& objects);
   void add_shape_textures(Part& part, const Object& object, const Inherited& leaf);
-  void note_object(const std::shared_ptr<const Object>& object);
+  void add_light(const Object& object, const Inherited& parent);
+  void add_looks();
+  /// Adds what a light is projected through, and returns its number.
+  std::uint32_t add_window(const Object& object);
   void note_surfaces();
   void note_atmosphere();
   bool freeze(const Object& object, const Inherited& parent, bool top_level, Solid& solid);
@@ -164,7 +179,23 @@ Inherited SceneBuilder::State::at_node(const Object& object, const Inherited& pa
   node.inverted = parent.inverted != object.inverted;
   node.turned |= object.turned;
   node.double_illuminate |= object.double_illuminate;
+  join_light_group(object, node);
   return node;
+}
+
+/// A group without lights, or without anything that they could shine on, is a union like any other, but for the lights of
+/// the scene. Of groups within groups, the innermost says which group's lights shine, and the outermost whether the scene's
+/// do. [POV-Ray 3.7]
+void SceneBuilder::State::join_light_group(const Object& object, Inherited& node) {
+  node.group_at_hand = 0;
+  const ObjectExtras& extras = object.extras;
+  if (!extras.light_group) return;
+  if (!node.in_light_group) node.global_lights = extras.global_lights;
+  node.in_light_group = true;
+  if (!object.children) return;
+  const auto is_light = [](const Object& member) { return member.kind == Object::Kind::light; };
+  if (std::ranges::none_of(*object.children, is_light) || std::ranges::all_of(*object.children, is_light)) return;
+  node.light_group = node.group_at_hand = ++light_groups;
 }
 
 /// What is in objects of which nothing is said. All share it.
@@ -240,12 +271,7 @@ void SceneBuilder::State::add_solid(const Object& object, const Inherited& paren
 /// Pre: `solid` is as it was made.
 bool SceneBuilder::State::freeze(const Object& object, const Inherited& parent, bool top_level, Solid& solid) {
   if (object.kind == Object::Kind::light) {
-    scene->unrendered.add(object.extras->unrendered);
-    scene->unrendered.add(object.extras->light->unrendered);
-    scene->lights.push_back(placed_with_objects(object.extras->light, object.placement.then(parent.to_world)));
-    note_object(scene->lights.back().looks_like);
-    note_object(scene->lights.back().projected_through);
-    scene->light_names.push_back(objects.names_of(objects.within(parent.names, object.extras->names)));
+    add_light(object, parent);
     return false;
   }
   const Inherited node = at_node(object, parent);
@@ -281,6 +307,53 @@ bool SceneBuilder::State::freeze(const Object& object, const Inherited& parent, 
   return true;
 }
 
+void SceneBuilder::State::add_light(const Object& object, const Inherited& parent) {
+  scene->unrendered.add(object.extras->unrendered);
+  scene->unrendered.add(object.extras->light->unrendered);
+  Light light = placed_with_objects(object.extras->light, object.placement.then(parent.to_world));
+  light.group = parent.group_at_hand;
+  const ObjectTable::Names names = objects.within(parent.names, object.extras->names);
+  if (light.looks_like) {
+    Look& look = looks.emplace_back(light.looks_like, parent);
+    look.around.to_world = Transform();
+    look.around.moves = nullptr;
+    look.around.inverted = false;
+    look.around.turned = false;
+    look.around.names = names;
+    look.around.global_lights = true;  // [POV-Ray 3.7] also in a light group
+  }
+  if (light.projected_through) light.window = add_window(*light.projected_through);
+  scene->lights.push_back(std::move(light));
+  scene->light_names.push_back(objects.names_of(names));
+}
+
+// One solid each, whatever it is made of. Nothing is said of what is inside of a light. [POV-Ray 3.7]
+void SceneBuilder::State::add_looks() {
+  for (std::size_t i = 0; i < looks.size(); ++i) {
+    const Look look = looks[i];
+    size = look.object->size;
+    Solid& solid = scene->solids.emplace_back();
+    const bool found = freeze(*look.object, look.around, false, solid);
+    if (!found || !has_surface(solid)) {
+      scene->solids.pop_back();
+      continue;
+    }
+    solid.matter = Solid::kNoMatter;
+    if (look.object->cramped || !solid.is_plain()) solid.set_extent(extent(*look.object));
+  }
+  looks.clear();
+}
+
+std::uint32_t SceneBuilder::State::add_window(const Object& object) {
+  State apart;
+  apart.scene->settings = scene->settings;
+  Solid solid;
+  if (!apart.freeze(object, Inherited(), false, solid)) solid = Solid();
+  scene->unrendered.add(apart.scene->unrendered);
+  scene->windows.push_back(std::move(solid));
+  return static_cast<std::uint32_t>(scene->windows.size() - 1);
+}
+
 /// Clips and bounds are shapes without surfaces: only what they are made of counts.
 void SceneBuilder::State::note_region(const ObjectList& objects) {
   if (!objects) return;
@@ -294,18 +367,6 @@ void SceneBuilder::State::note_region(const ObjectList& objects) {
     look(object, true);
     walk_members(object, true, look, [](const Object&, bool) {});
   }
-}
-
-/// An object that belongs to a light and is met by no ray: what it asks for counts, with its surfaces.
-void SceneBuilder::State::note_object(const std::shared_ptr<const Object>& object) {
-  if (!object) return;
-  State apart;
-  apart.scene->settings = scene->settings;
-  apart.default_texture = default_texture;
-  Solid solid;
-  apart.freeze(*object, Inherited(), false, solid);
-  apart.finish();
-  scene->unrendered.add(apart.scene->unrendered);
 }
 
 void SceneBuilder::State::note_surfaces() {
@@ -327,6 +388,8 @@ void SceneBuilder::State::add_part(Solid& solid, const Object& object, const Inh
   part.uv_mapping = leaf.uv_mapping;
   if (!object.extras->shape_textures.empty()) add_shape_textures(part, object, leaf);
   part.double_illuminate = leaf.double_illuminate;
+  part.light_group = leaf.light_group;
+  part.global_lights = leaf.global_lights;
   solid.part = static_cast<std::uint32_t>(scene->parts.size());
   scene->parts.push_back(part);
 }
@@ -378,6 +441,7 @@ void SceneBuilder::add(const Object& object, const TexturePtr& default_texture) 
   if (state_->default_texture != default_texture) state_->default_texture = default_texture;
   state_->top = &object;
   state_->link(object);
+  state_->add_looks();
   state_->top = nullptr;
 }
 

@@ -80,11 +80,13 @@ void AreaShadow::ask_corners(std::span<const Feeler> feelers) {
       const std::size_t target = point_at(grid, u, v);
       if (std::exchange(points_[target].asked, true)) continue;
       const LightAim aim = aim_at(*grid.light, grid.places.place(u, v), feeler.origin);
+      double max_depth = aim.depth - kShadowGap;
+      if (!shadow_.end_at_window(*grid.light, {feeler.origin, aim.direction}, max_depth)) continue;
       const std::size_t i = rays_.size++;
       rays_.origin.set(i, feeler.origin);
       rays_.direction.set(i, aim.direction);
       rays_.min_depth[i] = kShadowGap;
-      rays_.max_depth[i] = aim.depth - kShadowGap;
+      rays_.max_depth[i] = max_depth;
       rays_.hidden_bit[i] = kHiddenFromShadow;
       media_[i] = feeler.medium;
       targets_[i] = target;

@@ -64,6 +64,14 @@ struct HitBlock {
     layer_count = 0;
   }
 
+  /// Of each light: bits of the hits that it may shine on.
+  std::array<std::uint64_t, kLightsAtOnce> reached = all_reached();
+  static std::array<std::uint64_t, kLightsAtOnce> all_reached() {
+    std::array<std::uint64_t, kLightsAtOnce> all;
+    all.fill(~std::uint64_t{0});
+    return all;
+  }
+
   std::vector<Arrival> arrivals;               ///< room for those of lights that are not plain
   std::vector<Columns3<double>> spread_light;  ///< the same of area lights whose points light one by one
 

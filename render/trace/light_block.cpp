@@ -118,7 +118,7 @@ struct Lit {
   V cosine;      ///< to the normal
   Mask behind;
   Mask used;  ///< lanes that stand for a hit; the others hold anything
-  std::uint64_t light;  ///< its number
+  std::uint64_t light = 0;  ///< its number; of a point of a light also the point's, from bit 32 on
   bool highlights;
 };
 
@@ -296,7 +296,8 @@ HWY_INLINE Vec terms_of(const HitBlock& block, std::size_t i, const Lit& lit, co
 }
 
 /// Adds what the hits make of light that is white and comes as `arrival` says.
-void add_arrival_of(const HitBlock& block, const Arrival& arrival, bool highlights, Columns3<double>& sum) {
+void add_arrival_of(const HitBlock& block, const Arrival& arrival, std::uint64_t light, bool highlights,
+                    Columns3<double>& sum) {
   const D d;
   for (std::size_t i = 0; i < block.size; i += hn::Lanes(d)) {
     const Vec normal = load(block.normal, i);
@@ -306,6 +307,7 @@ void add_arrival_of(const HitBlock& block, const Arrival& arrival, bool highligh
     lit.cosine = dot(normal, lit.to_light);
     lit.behind = hn::Lt(lit.cosine, load(block.lit_from, i));
     lit.highlights = highlights;
+    lit.light = light;
     const Vec terms = terms_of(block, i, lit, normal, mirrored_at(block, normal, i));
     const V share = load(arrival.share, i);
     store(load(sum, i) + only_where(hn::Ne(share, hn::Zero(d)), terms * share), sum, i);
@@ -349,8 +351,9 @@ void light_hits_of(HitBlock& block, std::span<const Light> lights) {
       const Mask shines =
           hn::Ge(hn::Max(hn::Abs(color.x), hn::Max(hn::Abs(color.y), hn::Abs(color.z))), hn::Set(d, kNegligible));
       color = only_where(shines, color * term);
-      const Mask is_light = hn::And(lit.used, is_some(color));
-      if (light.shadowless) {
+      Mask is_light = hn::And(lit.used, is_some(color));
+      if (block.reached[l] != ~std::uint64_t{0}) is_light = hn::And(is_light, lanes_of(block.reached[l] >> i));
+      if (is_sure(light)) {
         sure = sure + only_where(is_light, color);
         continue;
       }
@@ -439,7 +442,7 @@ void begin_light(HitBlock& block) { HWY_DYNAMIC_DISPATCH(begin_light_of)(block);
 namespace {
 
 /// Adds up what the hits make of a white light that is spread over an area, each point of it lighting for itself.
-void find_spread_light(HitBlock& block, const Light& light, Columns3<double>& sum) {
+void find_spread_light(HitBlock& block, const Light& light, std::uint64_t number, Columns3<double>& sum) {
   for (Column<double>& column : sum.of) std::fill_n(column.at.begin(), block.capacity, 0.0);
   const AreaLight& area = *light.area;
   std::vector<AreaGrid> grids;
@@ -450,12 +453,13 @@ void find_spread_light(HitBlock& block, const Light& light, Columns3<double>& su
   const double part = 1.0 / (static_cast<double>(area.size1) * static_cast<double>(area.size2));
   const auto arrival = std::make_unique_for_overwrite<Arrival>();
   const auto places = std::make_unique_for_overwrite<Columns3<double>>();
+  std::uint64_t point = 0;
   for (int v = 0; v < area.size2; ++v) {
     for (int u = 0; u < area.size1 && !Interrupt::asked(); ++u) {
       for (std::size_t i = 0; i < block.size; ++i) places->set(i, grids[i].place(u, v));
       arrive(light, block.point, block.size, places.get(), *arrival);
       for (std::size_t i = 0; i < block.size; ++i) arrival->share[i] *= part;
-      HWY_DYNAMIC_DISPATCH(add_arrival_of)(block, *arrival, !light.shadowless, sum);
+      HWY_DYNAMIC_DISPATCH(add_arrival_of)(block, *arrival, number | ++point << 32, !light.shadowless, sum);
     }
   }
 }
@@ -471,7 +475,7 @@ void light_hits(HitBlock& block, std::span<const Light> lights) {
     }
     if (has_spread_light(light)) {
       if (block.spread_light.empty()) block.spread_light.resize(kLightsAtOnce);
-      find_spread_light(block, light, block.spread_light[l]);
+      find_spread_light(block, light, block.first_light + l, block.spread_light[l]);
     }
   }
   HWY_DYNAMIC_DISPATCH(light_hits_of)(block, lights);

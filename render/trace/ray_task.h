@@ -131,7 +131,7 @@ class RayTask {
     if (to_second() != 0) visit(first_light() + to_second(), at_stake_[1]);
   }
 
-  /// How many rays the record stands for.
+  /// How many rays the record stands for. To an area light that is one, for all the points of the light's grid.
   int ray_count() const { return kind == RayKind::shadow && to_second() != 0 ? 2 : 1; }
 
   static constexpr std::uint32_t kFirstLightBits = 24;

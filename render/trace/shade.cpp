@@ -244,6 +244,7 @@ void Stepper::shade() {
     const FeelerStarts starts{block.point, block.normal, block.size, block.lit_from_behind};
     for (std::size_t first = 0; first < lights.size() && !Interrupt::asked(); first += kLightsAtOnce) {
       const std::size_t count = std::min(kLightsAtOnce, lights.size() - first);
+      if (has_light_groups_) find_reached(lights.subspan(first, count));
       context_.accel.foresee(starts, first, lights.subspan(first, count), block.foreseen);
       block.first_light = first;
       light_hits(block, lights.subspan(first, count));
@@ -260,6 +261,16 @@ void Stepper::shade() {
   for (const Coating& coating : coatings_) {
     if (surfaces_[coating.hit].level >= settings.max_trace_level) continue;
     spawn_reflections(coating, coating.share > settings.adc_bailout && spawn_transmission(coating));
+  }
+}
+
+void Stepper::find_reached(std::span<const Light> lights) {
+  for (std::size_t l = 0; l < lights.size(); ++l) {
+    std::uint64_t bits = 0;
+    for (std::size_t i = 0; i < block_->size; ++i) {
+      bits |= static_cast<std::uint64_t>(shines_on(lights[l], *surfaces_[i].part)) << i;
+    }
+    block_->reached[l] = bits;
   }
 }
 

@@ -11,6 +11,7 @@ namespace firstlight::render {
 namespace {
 
 constexpr double kNegligible = 1e-10;
+constexpr double kNearestWindow = 1e-4;  ///< scene units [POV-Ray 3.7]
 
 }  // namespace
 
@@ -19,6 +20,19 @@ Shadow::Shadow(const TraceContext& context, const SurfaceTable& surfaces)
       surfaces_(surfaces),
       has_transparent_casters_(std::ranges::any_of(context.scene.parts, [](const Part& part) { return !part.opaque; })),
       asked_(std::make_unique<SurfacePoints>()) {}
+
+bool Shadow::end_at_window(const Light& light, const Ray& ray, double& max_depth) {
+  if (light.window == Light::kNoWindow) return true;
+  crossings_.clear();
+  context_.scene.windows[light.window].crossings(ray, 0, crossings_);
+  double nearest = INFINITY;
+  for (const Crossing& crossing : crossings_) {
+    if (crossing.depth > kNearestWindow) nearest = std::min(nearest, crossing.depth);
+  }
+  if (!(nearest < max_depth + kShadowGap)) return false;
+  max_depth = light.shadowless ? 0.0 : nearest - kShadowGap;
+  return true;
+}
 
 void Shadow::passing(const RayBlock& rays, std::span<const std::uint32_t> media, std::span<Rgb> shares) {
   const std::uint64_t blocked = context_.accel.occluded(rays);

@@ -4,7 +4,8 @@ namespace firstlight::render {
 namespace {
 
 std::uint32_t with(const Solid& solid, const Vec3& point, std::uint32_t medium, MediumTable& media) {
-  return !media.contains(medium, solid.matter) && solid.holds_start(point) ? media.entered(medium, solid.matter) : medium;
+  const bool may_be_in = solid.matter != Solid::kNoMatter && !media.contains(medium, solid.matter);
+  return may_be_in && solid.holds_start(point) ? media.entered(medium, solid.matter) : medium;
 }
 
 }  // namespace
@@ -16,6 +17,7 @@ std::uint32_t medium_at(const Scene& scene, MediumTable& media, const Vec3& poin
 }
 
 bool may_hold_start(const Solid& solid, const Box3& origins) {
+  if (solid.matter == Solid::kNoMatter) return false;
   return origins.min == origins.max ? solid.holds_start(origins.min) : solid.may_hold_start(origins);
 }
 

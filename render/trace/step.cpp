@@ -52,8 +52,11 @@ Stepper::Stepper(const TraceContext& context, std::shared_ptr<const SurfaceTable
       feelers_(std::make_unique<FeelerBlock>()) {
   for (const Light& light : context.scene.lights) {
     light_places_.push_back(place_of(light));
+    has_light_groups_ |= light.group != 0;
     if (light.area && !area_shadow_) area_shadow_ = std::make_unique<AreaShadow>(context.scene, shadow_);
   }
+  // A group may have had no lights, but lights of the scene that do not shine on it.
+  has_light_groups_ |= std::ranges::any_of(context.scene.parts, [](const Part& part) { return !part.global_lights; });
   block_->feelers_may_gain = !bound_.known();
   block_->irid_wavelength = Vec3(context.scene.settings.irid_wavelength);
   rays_->min_depth.at.fill(kNearestHit);
@@ -158,11 +161,27 @@ void Stepper::step_shadow(std::span<const RayTask> tasks, std::span<Contribution
     counts_.of(RayKind::shadow) += block.size();
     aim_feelers(block, light_places_);
     const std::uint64_t to_areas = area_shadow_ ? ask_areas(tasks.subspan(first, end - first)) : 0;
-    const std::uint64_t blocked = context_.accel.occluded(block.rays);
+    const std::uint64_t shut =
+        context_.scene.windows.empty() ? 0 : end_at_windows(tasks.subspan(first, end - first)) & ~to_areas;
+    const std::uint64_t blocked = context_.accel.occluded(block.rays) | shut;
     weigh_feelers(block);
     std::size_t feeler = 0;
     for (; first < end; ++first) take_back(tasks[first], feeler, blocked, to_areas, light[first]);
   }
+}
+
+std::uint64_t Stepper::end_at_windows(std::span<const RayTask> tasks) {
+  RayBlock& rays = feelers_->rays;
+  std::uint64_t shut = 0;
+  std::size_t feeler = 0;
+  for (const RayTask& task : tasks) {
+    task.for_each_feeler([&](std::uint32_t light, PackedRgb) {
+      const std::size_t i = feeler++;
+      const Ray ray{task.origin, rays.direction.vector(i)};
+      if (!shadow_.end_at_window(context_.scene.lights[light], ray, rays.max_depth[i])) shut |= std::uint64_t{1} << i;
+    });
+  }
+  return shut;
 }
 
 std::uint64_t Stepper::ask_areas(std::span<const RayTask> tasks) {

@@ -117,6 +117,9 @@ class Stepper {
   /// something opaque blocks.
   void take_back(const RayTask& task, std::size_t& feeler, std::uint64_t blocked, std::uint64_t to_areas,
                  Contribution& light);
+  /// Shortens feelers to lights that are projected through something, whose ways end there. Returns the bits of those that
+  /// do not lead through it.
+  std::uint64_t end_at_windows(std::span<const RayTask> tasks);
   /// Finds what passes of the light of those feelers of the block that lead to area lights, and keeps it in shares_; the
   /// others' shares are what they were. Returns the bits of those feelers.
   std::uint64_t ask_areas(std::span<const RayTask> tasks);
@@ -132,6 +135,8 @@ class Stepper {
   void put_on(std::size_t hit, const Coat& coat, double share, std::span<const LayerLook> looks, std::size_t lane);
   /// Lights all that was met, and lets it send on its rays.
   void shade();
+  /// Which hits the lights may shine on, where some are in groups.
+  void find_reached(std::span<const Light> lights);
   void spawn_feelers(std::uint32_t first_light, std::size_t light_count);
   void add_feeler(std::size_t hit, std::uint32_t light, PackedRgb at_stake);
   /// Returns true where the ray cannot leave and is reflected instead (total internal reflection).
@@ -162,6 +167,7 @@ class Stepper {
   Shadow shadow_;
   std::unique_ptr<AreaShadow> area_shadow_;  ///< null: there are no area lights
   std::vector<LightPlace> light_places_;
+  bool has_light_groups_ = false;
   std::unique_ptr<RayBlock> rays_;
   Column<std::int64_t> packed_directions_;
   std::array<Hit, kRaysAtOnce> hits_;

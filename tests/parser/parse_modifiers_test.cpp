@@ -74,7 +74,7 @@ TEST(ParseModifiers, LightGroupIsAUnionWithLightsOfItsOwn) {
   EXPECT_FALSE(group.extras->global_lights);
   EXPECT_EQ(group.children->size(), 2u);
   EXPECT_EQ(group.extras->photons.target, 1.0);
-  EXPECT_EQ(spelled(group.extras->unrendered), "light_group");
+  EXPECT_EQ(spelled(group.extras->unrendered), "");
   EXPECT_TRUE(object_of("light_group { sphere { 0, 1 } global_lights }").extras->global_lights);
   EXPECT_NE(parsed_object("light_group { sphere { 0, 1 } pigment { color rgb 1 } }").errors, "");
 }

@@ -55,16 +55,19 @@ class Maker {
     object.extras.change().interior = interior;
     builder_.add(object, texture);
   }
+  void add(const Light& light) {
+    Object object;
+    object.kind = Object::Kind::light;
+    object.extras.change().light = light;
+    builder_.add(object, nullptr);
+  }
   void add_light(const Vec3& position, const Rgb& color, double fade_distance = 0.0) {
     Light light;
     light.position = position;
     light.color = color;
     light.fade_distance = fade_distance;
     light.fade_power = fade_distance > 0.0 ? 2.0 : 0.0;
-    Object object;
-    object.kind = Object::Kind::light;
-    object.extras.change().light = light;
-    builder_.add(object, nullptr);
+    add(light);
   }
   std::unique_ptr<const Scene> finished() { return builder_.build(); }
 
@@ -131,12 +134,45 @@ SmallScene mirrors_with_exponents() {
   return {"mirrors with exponents", maker.finished()};
 }
 
+SmallScene lights_of_many_kinds() {
+  Maker maker(4);
+  const FilteredColor brown{Rgb(0.6f, 0.4f, 0.2f)};
+  maker.add("Floor", make_plane({0, 1, 0}, -1.0), texture_of(brown, mirror(0.3f)));
+  maker.add("Ball", make_sphere({-0.6, 0.0, 0.0}, 0.8), texture_of(brown, mirror(0.4f)));
+  maker.add("Glass", make_sphere({1.0, -0.4, -0.5}, 0.6), texture_of({Rgb(0.9f, 0.7f, 0.5f), 0.8f, 0.0f}, mirror(0.1f)),
+            Interior{.ior = 1.3});
+  Light area;
+  area.position = Vec3(-3.0, 4.0, -3.0);
+  area.color = Rgb(0.5f, 0.45f, 0.4f);
+  area.area = AreaLight{{2.0, 0.0, 0.0}, {0.0, 0.0, 2.0}, 5, 4};
+  area.adaptive = 0;
+  area.jitter = true;
+  maker.add(area);
+  area.area_illumination = true;
+  area.position = Vec3(3.0, 3.0, -2.0);
+  maker.add(area);
+  Light beam;
+  beam.position = Vec3(1.0, 4.0, -3.0);
+  beam.color = Rgb(0.3f, 0.4f, 0.6f);
+  beam.point_at = Vec3(0.0, -1.0, 0.0);
+  beam.kind = LightKind::spotlight;
+  beam.radius = 10.0;
+  beam.falloff = 25.0;
+  maker.add(beam);
+  beam.kind = LightKind::point;
+  beam.parallel = true;
+  beam.position = Vec3(0.5, 0.0, 0.0);
+  maker.add(beam);
+  return {"lights of many kinds", maker.finished()};
+}
+
 std::vector<SmallScene> small_scenes() {
   std::vector<SmallScene> scenes;
   scenes.push_back(hall_of_mirrors());
   scenes.push_back(hall_through_a_fisheye());
   scenes.push_back(coloured_glass());
   scenes.push_back(mirrors_with_exponents());
+  scenes.push_back(lights_of_many_kinds());
   return scenes;
 }
 

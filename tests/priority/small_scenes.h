@@ -38,6 +38,9 @@ SmallScene coloured_glass();
 /// Reflections with exponents, whose trees are traced in one go.
 SmallScene mirrors_with_exponents();
 
+/// Area lights, also of points that light one by one, a cone, and a parallel light that begins among the objects.
+SmallScene lights_of_many_kinds();
+
 std::vector<SmallScene> small_scenes();
 
 }  // namespace firstlight::priority
