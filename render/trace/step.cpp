@@ -56,6 +56,9 @@ Stepper::Stepper(const TraceContext& context, std::shared_ptr<const SurfaceTable
   for (const Light& light : context.scene.lights) {
     light_places_.push_back({light.position.x, light.position.y, light.position.z, 0.0});
   }
+  has_transparent_casters_ = has_transparent_casters_ || std::ranges::any_of(context.scene.lights, [this](const Light& light) {
+    return veils_of_scene_.weaken(light);
+  });
   block_->feelers_may_gain = !bound_.known();
   block_->irid_wavelength = Vec3(context.scene.settings.irid_wavelength);
   rays_->min_depth.at.fill(kNearestHit);
@@ -187,15 +190,20 @@ void Stepper::take_back(const RayTask& task, std::size_t& feeler, std::uint64_t 
 FixedRgb Stepper::lost_light(const RayTask& task, std::size_t feeler) const {
   const RayBlock& rays = feelers_->rays;
   const Ray ray{task.origin, rays.direction.vector(feeler)};
-  const Rgb passed = passing_light(task.medium, ray, rays.max_depth[feeler] + kShadowGap);
+  const Light& light = context_.scene.lights[static_cast<std::size_t>(feelers_->light[feeler])];
+  const Rgb passed =
+      passing_light(task.medium, ray, rays.max_depth[feeler] + kShadowGap, veils_of_scene_.weaken(light));
   if (passed == Rgb(1.0f)) return {};
   return FixedRgb::from(PackedRgb::from_bits(feelers_->at_stake[feeler]).unpack() * (passed - Rgb(1.0f)));
 }
 
-Rgb Stepper::passing_light(std::uint32_t medium, Ray ray, double distance) const {
+Rgb Stepper::passing_light(std::uint32_t medium, Ray ray, double distance, bool through_fog) const {
   const Scene& scene = context_.scene;
   MediumTable& media = context_.media;
   Rgb passed(1.0f);
+  const auto pass_fog = [&](double depth) {
+    if (through_fog && is_hollow(scene, media, medium)) passed *= veils_of_scene_.left_of_light(ray, depth);
+  };
   while (distance > 2.0 * kShadowGap && !is_black(passed) && !Interrupt::asked()) {
     const RayQuery query{ray, kShadowGap, distance - kShadowGap, kHiddenFromShadow};
     Hit hit;
@@ -213,18 +221,28 @@ Rgb Stepper::passing_light(std::uint32_t medium, Ray ray, double distance) const
       asked_->size = 1;
       asked_->at.set(0, point);
       asked_->direction.set(0, ray.direction);
-      table_->filter(texture, *asked_, {&passed, 1});
       const Interior& interior = scene.interiors[part.interior];
+      asked_->on_surface = interior.caustics != 0.0;
+      if (asked_->on_surface) {
+        const Vec3 normal = hit.shape->normal(point, {hit.depth, hit.shape, hit.part, hit.face});
+        asked_->normal.set(0, normal.dot(ray.direction) > 0.0 ? -normal : normal);
+        asked_->tilted.set(0, asked_->normal.vector(0));
+        asked_->place.set(0, point);
+        asked_->u[0] = asked_->v[0] = 0.0;
+      }
+      table_->filter(texture, *asked_, {&passed, 1}, interior.caustics);
       if (interior.fade_power > 0.0 && std::abs(interior.fade_distance) > kNegligible &&
           media.contains(medium, part.interior)) {
         passed *= faded_light(interior, hit.depth);
       }
     }
+    pass_fog(hit.depth);
     medium = media.contains(medium, part.interior) ? media.left(medium, part.interior)
                                                    : media.entered(medium, part.interior);
     distance -= hit.depth;
     ray.origin = point;
   }
+  pass_fog(distance);
   return passed;
 }
 

@@ -152,7 +152,8 @@ class Stepper {
   void add_sealed(const Surface& surface, RayTask root, double exponent);
   Rgb trace_sealed(const RayTask& root);
   /// Share of the light that passes all that is between the feeler's origin and `distance`.
-  Rgb passing_light(std::uint32_t medium, Ray ray, double distance) const;
+  /// `through_fog`: the light is one that fogs weaken.
+  Rgb passing_light(std::uint32_t medium, Ray ray, double distance, bool through_fog) const;
 
   TraceContext context_;
   std::shared_ptr<const SurfaceTable> table_;
