@@ -26,6 +26,11 @@ std::uint32_t material_at(const ImageMap& image, const Vec3& point, std::uint32_
   return static_cast<std::uint32_t>(std::min(number > materials ? std::fmod(number, materials) : number, materials - 1.0));
 }
 
+/// What light becomes that is gathered behind a surface of clear matter: 1 + |n.d|^(45 caustics). [POV-Ray 3.7]
+float gathered(const Vec3& normal, const Vec3& direction, double caustics) {
+  return static_cast<float>(1.0 + std::pow(std::abs(normal.dot(direction)), 45.0 * caustics));
+}
+
 }  // namespace
 
 SurfaceTable::SurfaceTable(const Scene& scene)
@@ -238,36 +243,46 @@ void SurfaceTable::look(const SurfaceLayer& layer, CoatPoints& coat, LayerLook& 
 }
 
 /// Multiplies light[k] by what passes the coat at its point k.
-void SurfaceTable::filter_by(const CoatPoints& coat, std::span<Rgb> light) const {
-  const auto found = std::make_unique_for_overwrite<ColorColumns>();
+void SurfaceTable::filter_by(CoatPoints& coat, std::span<Rgb> light, double caustics) const {
+  const auto found = std::make_unique_for_overwrite<LayerLook>();
   for (const SurfaceLayer& layer : layers(*coat.coat)) {
-    if (layer.pigment != nullptr) layer.pigment->colors(coat.points, *found);
+    if (layer.pigment != nullptr) layer.pigment->colors(coat.points, found->colors);
     for (std::size_t k = 0; k < coat.points.size; ++k) {
       if (layer.pigment == nullptr) {
         light[k] *= layer.color.passed;
-      } else if ((found->missing >> k & 1u) == 0) {
-        light[k] *= found->color(k).passed();
+      } else if ((found->colors.missing >> k & 1u) == 0) {
+        light[k] *= found->colors.color(k).passed();
       }
+    }
+    if (caustics == 0.0) continue;
+    if (layer.normal != nullptr) look(layer, coat, *found);
+    for (std::size_t k = 0; k < coat.points.size; ++k) {
+      const Vec3 normal = layer.normal != nullptr ? found->normals.vector(k) : coat.points.normal.vector(k);
+      light[k] *= gathered(normal, coat.points.direction.vector(k), caustics);
     }
   }
 }
 
-void SurfaceTable::filter(std::uint32_t texture, const SurfacePoints& points, std::span<Rgb> light) const {
+void SurfaceTable::filter(std::uint32_t texture, const SurfacePoints& points, std::span<Rgb> light,
+                          double caustics) const {
   if (const Coat* coat = even_coat(texture)) {
     for (const SurfaceLayer& layer : layers(*coat)) {
-      for (std::size_t i = 0; i < points.size; ++i) light[i] *= layer.color.passed;
+      for (std::size_t i = 0; i < points.size; ++i) {
+        light[i] *= layer.color.passed;
+        if (caustics != 0.0) light[i] *= gathered(points.normal.vector(i), points.direction.vector(i), caustics);
+      }
     }
     return;
   }
   std::vector<std::unique_ptr<CoatPoints>> coats;
   unfold(texture, points, coats);
-  if (nodes_[roots_[texture]].coat != nullptr) return filter_by(*coats.front(), light);
+  if (nodes_[roots_[texture]].coat != nullptr) return filter_by(*coats.front(), light, caustics);
   std::array<Rgb, kRaysAtOnce> sums;
   sums.fill(Rgb(0.0f));
   for (const auto& coat : coats) {
     std::array<Rgb, kRaysAtOnce> tints;
     tints.fill(Rgb(1.0f));
-    filter_by(*coat, tints);
+    filter_by(*coat, tints, caustics);
     for (std::size_t k = 0; k < coat->points.size; ++k) {
       sums[coat->lane[k]] += tints[k] * static_cast<float>(coat->share[k]);
     }

@@ -104,8 +104,9 @@ class SurfaceTable {
   void unfold(std::uint32_t texture, const SurfacePoints& points, std::vector<std::unique_ptr<CoatPoints>>& coats) const;
   /// What the layer is at the coat's points. It leaves its normals in points.tilted.
   void look(const SurfaceLayer& layer, CoatPoints& points, LayerLook& look) const;
-  /// Multiplies light[i] by what passes the texture at point i, given in the scene.
-  void filter(std::uint32_t texture, const SurfacePoints& points, std::span<Rgb> light) const;
+  /// Multiplies light[i] by what passes the texture at point i, given in the scene. `caustics`: of the interior; not 0:
+  /// light is gathered where it falls steeply, so that more may pass than came. Pre: then the points are on the surface.
+  void filter(std::uint32_t texture, const SurfacePoints& points, std::span<Rgb> light, double caustics = 0.0) const;
 
  private:
   /// A texture or a part of one: a coat, or a pattern of such.
@@ -125,7 +126,7 @@ class SurfaceTable {
   std::uint32_t compile(const Texture& texture);
   SurfaceLayer prepared(const TextureLayer& layer);
   bool has_gloss(std::uint32_t node) const;
-  void filter_by(const CoatPoints& coat, std::span<Rgb> light) const;
+  void filter_by(CoatPoints& coat, std::span<Rgb> light, double caustics) const;
   void unfold_node(const Node& node, const Way& way, const SurfacePoints& points,
                    const std::array<std::uint8_t, kRaysAtOnce>& lanes, const Column<double>& shares,
                    std::vector<std::unique_ptr<CoatPoints>>& coats) const;

@@ -89,6 +89,7 @@ void AreaShadow::ask_corners(std::span<const Feeler> feelers) {
       rays_.max_depth[i] = max_depth;
       rays_.hidden_bit[i] = kHiddenFromShadow;
       media_[i] = feeler.medium;
+      lights_[i] = feeler.light;
       targets_[i] = target;
       if (rays_.size == kRaysAtOnce) send();
       if (Interrupt::asked()) return;
@@ -100,7 +101,7 @@ void AreaShadow::ask_corners(std::span<const Feeler> feelers) {
 void AreaShadow::send() {
   std::array<Rgb, kRaysAtOnce> shares;
   const std::size_t count = rays_.size;
-  shadow_.passing(rays_, std::span(media_).first(count), std::span(shares).first(count));
+  shadow_.passing(rays_, std::span(media_).first(count), std::span(lights_).first(count), std::span(shares).first(count));
   for (std::size_t i = 0; i < count; ++i) points_[targets_[i]].share = shares[i];
   ray_count_ += count;
   rays_.size = 0;

@@ -67,6 +67,7 @@ class AreaShadow {
   std::vector<Region> next_regions_;
   RayBlock rays_;
   std::array<std::uint32_t, kRaysAtOnce> media_{};
+  std::array<std::uint32_t, kRaysAtOnce> lights_{};
   std::array<std::size_t, kRaysAtOnce> targets_{};  ///< into points_
   std::uint64_t ray_count_ = 0;
 };

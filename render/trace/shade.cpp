@@ -246,6 +246,9 @@ void Stepper::shade() {
       const std::size_t count = std::min(kLightsAtOnce, lights.size() - first);
       if (has_light_groups_) find_reached(lights.subspan(first, count));
       context_.accel.foresee(starts, first, lights.subspan(first, count), block.foreseen);
+      for (std::size_t l = 0; l < count; ++l) {
+        if (veils_of_scene_.weaken(lights[first + l])) block.foreseen[l].clear = 0;
+      }
       block.first_light = first;
       light_hits(block, lights.subspan(first, count));
       spawn_feelers(static_cast<std::uint32_t>(first), count);

@@ -15,10 +15,12 @@ constexpr double kNearestWindow = 1e-4;  ///< scene units [POV-Ray 3.7]
 
 }  // namespace
 
-Shadow::Shadow(const TraceContext& context, const SurfaceTable& surfaces)
+Shadow::Shadow(const TraceContext& context, const SurfaceTable& surfaces, const Veils& veils)
     : context_(context),
       surfaces_(surfaces),
-      has_transparent_casters_(std::ranges::any_of(context.scene.parts, [](const Part& part) { return !part.opaque; })),
+      veils_(veils),
+      takes_parts_(std::ranges::any_of(context.scene.parts, [](const Part& part) { return !part.opaque; }) ||
+                   std::ranges::any_of(context.scene.lights, [&](const Light& light) { return veils.weaken(light); })),
       asked_(std::make_unique<SurfacePoints>()) {}
 
 bool Shadow::end_at_window(const Light& light, const Ray& ray, double& max_depth) {
@@ -34,24 +36,29 @@ bool Shadow::end_at_window(const Light& light, const Ray& ray, double& max_depth
   return true;
 }
 
-void Shadow::passing(const RayBlock& rays, std::span<const std::uint32_t> media, std::span<Rgb> shares) {
+void Shadow::passing(const RayBlock& rays, std::span<const std::uint32_t> media, std::span<const std::uint32_t> lights,
+                     std::span<Rgb> shares) {
   const std::uint64_t blocked = context_.accel.occluded(rays);
   for (std::size_t i = 0; i < rays.size; ++i) {
     if ((blocked >> i & 1u) != 0) {
       shares[i] = Rgb(0.0f);
-    } else if (has_transparent_casters_) {
-      shares[i] = passing_light(media[i], {rays.origin.vector(i), rays.direction.vector(i)},
-                                rays.max_depth[i] + kShadowGap);
+    } else if (takes_parts_) {
+      shares[i] = passing_light(context_.scene.lights[lights[i]], media[i],
+                                {rays.origin.vector(i), rays.direction.vector(i)}, rays.max_depth[i] + kShadowGap);
     } else {
       shares[i] = Rgb(1.0f);
     }
   }
 }
 
-Rgb Shadow::passing_light(std::uint32_t medium, Ray ray, double distance) {
+Rgb Shadow::passing_light(const Light& light, std::uint32_t medium, Ray ray, double distance) {
   const Scene& scene = context_.scene;
   MediumTable& media = context_.media;
   Rgb passed(1.0f);
+  const bool through_fog = veils_.weaken(light);
+  const auto pass_fog = [&](double depth) {
+    if (through_fog && is_hollow(scene, media, medium)) passed *= veils_.left_of_light(ray, depth);
+  };
   while (distance > 2.0 * kShadowGap && !is_black(passed) && !Interrupt::asked()) {
     const RayQuery query{ray, kShadowGap, distance - kShadowGap, kHiddenFromShadow};
     Hit hit;
@@ -67,11 +74,13 @@ Rgb Shadow::passing_light(std::uint32_t medium, Ray ray, double distance) {
         passed *= faded_light(interior, hit.depth);
       }
     }
+    pass_fog(hit.depth);
     medium = media.contains(medium, part.interior) ? media.left(medium, part.interior)
                                                    : media.entered(medium, part.interior);
     distance -= hit.depth;
     ray.origin = point;
   }
+  pass_fog(distance);
   return passed;
 }
 
@@ -81,33 +90,35 @@ bool Shadow::filter_light(const Hit& hit, const Ray& ray, Rgb& light) {
   const Crossing crossing = hit.crossing();
   const bool from_inside =
       part.interior_texture != kNoIndex && hit.shape->normal(point, crossing).dot(ray.direction) > 0.0;
+  const double caustics = context_.scene.interiors[part.interior]->caustics;
   bool found = part.has_shape_textures;
   Rgb sum(0.0f);
   for_each_texture(context_.scene, point, crossing, from_inside, worn_, [&](std::uint32_t texture, double share) {
     found = true;
-    ask_at(crossing, point, ray, part.uv_mapping, surfaces_.goes_by_uv(texture));
-    if (!part.has_shape_textures) return surfaces_.filter(texture, *asked_, {&light, 1});
+    ask_at(crossing, point, ray, part.uv_mapping || caustics != 0.0 || surfaces_.goes_by_uv(texture));
+    if (part.uv_mapping) asked_->at.set(0, Vec3(asked_->u[0], asked_->v[0], 0.0));
+    if (!part.has_shape_textures) return surfaces_.filter(texture, *asked_, {&light, 1}, caustics);
     Rgb tint(1.0f);
-    surfaces_.filter(texture, *asked_, {&tint, 1});
+    surfaces_.filter(texture, *asked_, {&tint, 1}, caustics);
     sum += tint * static_cast<float>(share);
   });
   if (part.has_shape_textures) light *= sum;
   return found;
 }
 
-void Shadow::ask_at(const Crossing& crossing, const Vec3& point, const Ray& ray, bool is_laid_by_uv, bool asks_uv) {
+void Shadow::ask_at(const Crossing& crossing, const Vec3& point, const Ray& ray, bool whole) {
   asked_->size = 1;
   asked_->at.set(0, point);
   asked_->direction.set(0, ray.direction);
-  asked_->on_surface = is_laid_by_uv || asks_uv;
-  if (!asked_->on_surface) return;
+  asked_->on_surface = whole;
+  if (!whole) return;
   const Vec3 normal = crossing.shape->normal(point, crossing);
+  asked_->place.set(0, point);
   asked_->normal.set(0, normal.dot(ray.direction) > 0.0 ? -normal : normal);
   asked_->tilted.set(0, asked_->normal.vector(0));
   const Vec2 uv = crossing.shape->uv(point, crossing);
   asked_->u[0] = uv.x;
   asked_->v[0] = uv.y;
-  if (is_laid_by_uv) asked_->at.set(0, Vec3(uv.x, uv.y, 0.0));
 }
 
 }  // namespace firstlight::render

@@ -3,6 +3,7 @@
 #include "render/math/color.h"
 #include "render/surface/surface_table.h"
 #include "render/trace/trace_context.h"
+#include "render/trace/veil.h"
 
 #include <array>
 #include <cstdint>
@@ -18,30 +19,31 @@ namespace firstlight::render {
 /// Threads  One a thread.
 class Shadow {
  public:
-  /// Pre: `surfaces` outlives it.
-  Shadow(const TraceContext& context, const SurfaceTable& surfaces);
+  /// Pre: `surfaces` and `veils` outlive it.
+  Shadow(const TraceContext& context, const SurfaceTable& surfaces, const Veils& veils);
 
-  /// False where whatever casts a shadow takes all light.
-  bool has_transparent_casters() const { return has_transparent_casters_; }
+  /// False where of all light either nothing is taken or everything.
+  bool takes_parts() const { return takes_parts_; }
   /// Of a light that is projected through something: ends the ray to it there, for what is beyond casts no shadow, nor does
   /// anything if the light is without shadow. False where the ray does not lead through it. `max_depth`: to the light.
   bool end_at_window(const Light& light, const Ray& ray, double& max_depth);
   /// Of light that goes along each of the rays, from their least depth to their largest: the share that passes.
-  /// `media`: what their origins are in. Pre: equal sizes.
-  void passing(const RayBlock& rays, std::span<const std::uint32_t> media, std::span<Rgb> shares);
+  /// `media`: what their origins are in; `lights`: by number. Pre: equal sizes.
+  void passing(const RayBlock& rays, std::span<const std::uint32_t> media, std::span<const std::uint32_t> lights,
+               std::span<Rgb> shares);
   /// The same of one ray that meets nothing opaque, and which reaches `distance` far.
-  Rgb passing_light(std::uint32_t medium, Ray ray, double distance);
+  Rgb passing_light(const Light& light, std::uint32_t medium, Ray ray, double distance);
 
  private:
   /// Takes from `light` what the surface keeps. False where it has no texture.
   bool filter_light(const Hit& hit, const Ray& ray, Rgb& light);
-  /// Sets asked_ to the point of a surface. `is_laid_by_uv`: its textures lie in the surface's own coordinates;
-  /// `asks_uv`: a part of its texture does.
-  void ask_at(const Crossing& crossing, const Vec3& point, const Ray& ray, bool is_laid_by_uv, bool asks_uv);
+  /// Sets asked_ to the point of a surface. `whole`: with all that may be asked of it.
+  void ask_at(const Crossing& crossing, const Vec3& point, const Ray& ray, bool whole);
 
   TraceContext context_;
   const SurfaceTable& surfaces_;
-  bool has_transparent_casters_;
+  const Veils& veils_;
+  bool takes_parts_;
   std::unique_ptr<SurfacePoints> asked_;
   std::vector<TextureShare> worn_;
   std::vector<Crossing> crossings_;  ///< of a window

@@ -46,7 +46,7 @@ Stepper::Stepper(const TraceContext& context, std::shared_ptr<const SurfaceTable
       table_(std::move(surfaces)),
       veils_of_scene_(context.scene),
       bound_(context.scene, context.camera()),
-      shadow_(context, *table_),
+      shadow_(context, *table_, veils_of_scene_),
       rays_(std::make_unique<RayBlock>()),
       block_(std::make_unique<HitBlock>()),
       feelers_(std::make_unique<FeelerBlock>()) {
@@ -225,9 +225,10 @@ void Stepper::take_back(const RayTask& task, std::size_t& feeler, std::uint64_t 
       passed = Rgb(0.0f);
     } else if ((to_areas >> feeler & 1u) != 0) {
       passed = shares_[feeler];
-    } else if (shadow_.has_transparent_casters()) {
+    } else if (shadow_.takes_parts()) {
       const Ray ray{task.origin, rays.direction.vector(feeler)};
-      passed = shadow_.passing_light(task.medium, ray, rays.max_depth[feeler] + kShadowGap);
+      const Light& from = context_.scene.lights[static_cast<std::size_t>(feelers_->light[feeler])];
+      passed = shadow_.passing_light(from, task.medium, ray, rays.max_depth[feeler] + kShadowGap);
     }
     if (passed == Rgb(1.0f)) continue;
     if (passed == Rgb(0.0f)) {

@@ -51,6 +51,8 @@ class Stepper {
   explicit Stepper(const TraceContext& context) : Stepper(context, std::make_shared<SurfaceTable>(context.scene)) {}
   /// `surfaces`: of the scene, shared between steppers.
   Stepper(const TraceContext& context, std::shared_ptr<const SurfaceTable> surfaces);
+  Stepper(const Stepper&) = delete;  // its parts refer to each other
+  Stepper& operator=(const Stepper&) = delete;
 
   /// Traces `tasks`, replacing light() and spawned() by what comes of them. Pre: `tasks` is not spawned() itself.
   void step(std::span<const RayTask> tasks);

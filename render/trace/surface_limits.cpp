@@ -117,6 +117,7 @@ void Maker::look_at_matter(const Box3& origins) {
   for (const Interior& interior : scene_.interiors) {
     matter_ = std::max(matter_, std::abs(interior.refraction_scale));
     if (!is_air(interior.ior)) bends_ = true;
+    need(interior.caustics == 0.0);  // a feeler may gain at any number of surfaces
     if (std::abs(interior.fade_distance) <= kNegligible) continue;
     const Rgb& color = interior.fade_color;
     need(interior.fade_distance > 0.0 && std::min({color.x, color.y, color.z}) >= 0.0f && max_component(color) <= 1.0f);

@@ -78,6 +78,12 @@ Veil Veils::across(const Ray& ray, double depth) const {
   return veil;
 }
 
+Rgb Veils::left_of_light(const Ray& ray, double depth) const {
+  Veil veil;
+  add_fogs(ray, depth, veil);
+  return veil.kept;
+}
+
 void Veils::add_fogs(const Ray& ray, double depth, Veil& veil) const {
   Rgb kept(1.0f);
   Rgb added(0.0f);

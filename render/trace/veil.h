@@ -31,6 +31,12 @@ class Veils {
   bool empty() const { return fogs_.empty() && bows_.empty(); }
   /// From the origin of the ray, whose direction has unit length, to `depth`.
   Veil across(const Ray& ray, double depth) const;
+  /// Whether fogs weaken the light on its way to surfaces.
+  bool weaken(const Light& light) const {
+    return !fogs_.empty() && light.media_attenuation && light.media_interaction;
+  }
+  /// The share of such a light that is left.
+  Rgb left_of_light(const Ray& ray, double depth) const;
 
  private:
   struct Bow {
