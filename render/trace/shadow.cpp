@@ -39,8 +39,8 @@ void Shadow::passing(const RayBlock& rays, std::span<const std::uint32_t> media,
     if ((blocked >> i & 1u) != 0) {
       shares[i] = Rgb(0.0f);
     } else if (has_transparent_casters_) {
-      shares[i] =
-          passing_light(media[i], {rays.origin.vector(i), rays.direction.vector(i)}, rays.max_depth[i] + kShadowGap);
+      shares[i] = passing_light(media[i], {rays.origin.vector(i), rays.direction.vector(i)},
+                                rays.max_depth[i] + kShadowGap);
     } else {
       shares[i] = Rgb(1.0f);
     }

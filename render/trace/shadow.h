@@ -23,9 +23,8 @@ class Shadow {
 
   /// False where whatever casts a shadow takes all light.
   bool has_transparent_casters() const { return has_transparent_casters_; }
-  /// Of a light that is projected through something: ends the ray to it there, for what is beyond casts no shadow, nor
-  /// does anything if the light is without shadow. False where the ray does not lead through it. `max_depth`: to the
-  /// light.
+  /// Of a light that is projected through something: ends the ray to it there, for what is beyond casts no shadow, nor does
+  /// anything if the light is without shadow. False where the ray does not lead through it. `max_depth`: to the light.
   bool end_at_window(const Light& light, const Ray& ray, double& max_depth);
   /// Of light that goes along each of the rays, from their least depth to their largest: the share that passes.
   /// `media`: what their origins are in. Pre: equal sizes.

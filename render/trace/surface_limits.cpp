@@ -345,7 +345,8 @@ double SurfaceAnswer::from_this_side(double incoming) const {
   return light;
 }
 
-SurfaceLimits::SurfaceLimits(const Scene& scene, const Box3& origins) : background(largest(scene.settings.background)) {
+SurfaceLimits::SurfaceLimits(const Scene& scene, const Box3& origins)
+    : background(largest(scene.settings.background)) {
   Maker maker(scene, origins, *this);
   std::unordered_set<const Texture*> seen;  // one texture may stand in many places
   for (const PlacedTexture& placed : scene.textures) {
