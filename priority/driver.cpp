@@ -46,7 +46,8 @@ void work(Frame& frame, Shared& shared, const TraceOptions& options, std::size_t
 std::uint64_t most_feelers(const std::vector<render::Light>& lights) {
   std::uint64_t sum = 0;
   for (const render::Light& light : lights) {
-    sum += light.area ? static_cast<std::uint64_t>(light.area->size1) * static_cast<std::uint64_t>(light.area->size2) : 1;
+    sum +=
+        light.area ? static_cast<std::uint64_t>(light.area->size1) * static_cast<std::uint64_t>(light.area->size2) : 1;
   }
   return sum;
 }

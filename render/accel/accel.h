@@ -77,8 +77,8 @@ class Accel {
   std::uint64_t occluded(const RayBlock& rays) const;
 
   /// What feelers will meet, as far as that is quickly told: bit i of foreseen[l] is of that from start i to lights[l].
-  /// `first` is the number of the first of the lights. Nothing is told of lights that are no points, as parallel ones. Pre:
-  /// foreseen has room for lights.size.
+  /// `first` is the number of the first of the lights. Nothing is told of lights that are no points, as parallel ones.
+  /// Pre: foreseen has room for lights.size.
   void foresee(const FeelerStarts& starts, std::size_t first, std::span<const Light> lights,
                std::span<Foreseen> foreseen) const;
 

@@ -10,8 +10,8 @@ constexpr double kLowest = -1.0;      ///< tangent of 135 degrees
 
 }  // namespace
 
-/// A fisheye for domes: angles from the direction grow by a polynomial, and what lies more than 45 degrees below it is left
-/// out. Wide pictures have the disc's lower part cut off.
+/// A fisheye for domes: angles from the direction grow by a polynomial, and what lies more than 45 degrees below it is
+/// left out. Wide pictures have the disc's lower part cut off.
 ProjectionPtr projection::make_omnimax(const Camera& camera) {
   const CameraAxes axes(camera);
   const double shape = axes.width / axes.height;

@@ -13,16 +13,18 @@ constexpr double kSteepest = 2e10;
 /// Half a turn from left to right and from bottom to top, on a cylinder; straight up and down are the edges.
 /// Source   Graphics Gems III, by POV-Ray's manual.
 ProjectionPtr projection::make_panoramic(const Camera& camera) {
-  return from_one_place(camera, [at = camera.location, direction = camera.direction, right = camera.right,
-                                 up = camera.up](double across, double upwards) -> std::optional<ProjectedRay> {
-    const double longitude = (1.0 - (across + 0.5)) * std::numbers::pi;
-    const double latitude = std::numbers::pi * upwards;
-    const double rise = std::abs(std::numbers::pi / 2 - std::abs(latitude)) < kUpright
-                            ? std::copysign(kSteepest, latitude)
-                            : std::tan(latitude);
-    return ProjectedRay{at, right * std::cos(longitude) + up * rise + direction * std::sin(longitude), longitude,
-                        latitude};
-  });
+  return from_one_place(camera,
+                        [at = camera.location, direction = camera.direction, right = camera.right, up = camera.up](
+                            double across, double upwards) -> std::optional<ProjectedRay> {
+                          const double longitude = (1.0 - (across + 0.5)) * std::numbers::pi;
+                          const double latitude = std::numbers::pi * upwards;
+                          const double rise = std::abs(std::numbers::pi / 2 - std::abs(latitude)) < kUpright
+                                                  ? std::copysign(kSteepest, latitude)
+                                                  : std::tan(latitude);
+                          return ProjectedRay{at,
+                                              right * std::cos(longitude) + up * rise + direction * std::sin(longitude),
+                                              longitude, latitude};
+                        });
 }
 
 }  // namespace firstlight::render

@@ -13,23 +13,23 @@
 
 namespace firstlight::render {
 
-/// What a scene is seen by and how large the picture is. It stands beside the frozen scene, so that another view needs no
-/// other scene. Pre: the camera outlives it.
+/// What a scene is seen by and how large the picture is. It stands beside the frozen scene, so that another view needs
+/// no other scene. Pre: the camera outlives it.
 struct View {
   const Camera& camera;
   int width;  ///< pixels
   int height;
 };
 
-/// Places of a picture, side by side: across from -1/2 at its left edge to 1/2 at its right one, upwards from -1/2 at its
-/// lower edge to 1/2 at its upper one. Samples of anti-aliasing may lie beyond the edges.
+/// Places of a picture, side by side: across from -1/2 at its left edge to 1/2 at its right one, upwards from -1/2 at
+/// its lower edge to 1/2 at its upper one. Samples of anti-aliasing may lie beyond the edges.
 struct PicturePlaces {
   std::size_t size = 0;
   Column<double> across;
   Column<double> upwards;
 
-  /// In picture coordinates: (0, 0) is the upper left corner, (width, height) the lower right one, the middle of the first
-  /// pixel (0.5, 0.5).
+  /// In picture coordinates: (0, 0) is the upper left corner, (width, height) the lower right one, the middle of the
+  /// first pixel (0.5, 0.5).
   void add(double x, double y, int width, int height) {
     across[size] = x / width - 0.5;
     upwards[size++] = (height - y) / height - 0.5;
@@ -133,8 +133,8 @@ ProjectionPtr from_one_place(const Camera& camera, Formula formula) {
   return std::make_unique<FormulaProjection<Formula>>(Box3(camera.location), std::move(formula));
 }
 
-/// Rays begin at location + a `side1` + b `side2`, a and b within what places of a picture may be: a pixel beyond its edges,
-/// of a picture that may be one pixel wide.
+/// Rays begin at location + a `side1` + b `side2`, a and b within what places of a picture may be: a pixel beyond its
+/// edges, of a picture that may be one pixel wide.
 template <class Formula>
 ProjectionPtr from_many_places(const Camera& camera, const Vec3& side1, const Vec3& side2, Formula formula) {
   constexpr double kFarthest = 1.5;

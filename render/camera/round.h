@@ -6,12 +6,13 @@
 
 namespace firstlight::render {
 
-/// A ray `y` radians off the camera's direction, towards x radians from `right` to `up`: what the projections on a disc have
-/// in common.
+/// A ray `y` radians off the camera's direction, towards x radians from `right` to `up`: what the projections on a disc
+/// have in common.
 inline ProjectedRay ray_off_axis(const Vec3& at, const CameraAxes& axes, double x, double y) {
-  return {at,
-          axes.right * (std::cos(x) * std::sin(y)) + axes.up * (std::sin(x) * std::sin(y)) + axes.direction * std::cos(y),
-          x, y};
+  return {
+      at,
+      axes.right * (std::cos(x) * std::sin(y)) + axes.up * (std::sin(x) * std::sin(y)) + axes.direction * std::cos(y),
+      x, y};
 }
 
 /// The angle of a place on the disc, from its own x axis. `radius`: of the place.

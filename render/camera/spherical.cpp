@@ -15,13 +15,14 @@ Vec3 turned(const Vec3& v, const Vec3& axis, double angle) {
 ProjectionPtr projection::make_spherical(const Camera& camera) {
   const double width = camera.horizontal_angle * kRadiansPerDegree;
   const double height = camera.vertical_angle * kRadiansPerDegree;
-  return from_one_place(camera, [at = camera.location, direction = camera.direction, right = unit(camera.right),
-                                 up = unit(camera.up), width,
-                                 height](double across, double upwards) -> std::optional<ProjectedRay> {
-    const double longitude = across * width;
-    const double latitude = upwards * height;
-    return ProjectedRay{at, turned(turned(direction, right, -latitude), up, longitude), longitude, latitude};
-  });
+  return from_one_place(
+      camera,
+      [at = camera.location, direction = camera.direction, right = unit(camera.right), up = unit(camera.up), width,
+       height](double across, double upwards) -> std::optional<ProjectedRay> {
+        const double longitude = across * width;
+        const double latitude = upwards * height;
+        return ProjectedRay{at, turned(turned(direction, right, -latitude), up, longitude), longitude, latitude};
+      });
 }
 
 }  // namespace firstlight::render

@@ -8,7 +8,8 @@ ProjectionPtr projection::make_ultra_wide_angle(const Camera& camera) {
   const double width = camera.angle * kRadiansPerDegree;
   const double height = camera.angle * (axes.height / axes.width) * kRadiansPerDegree;
   return from_one_place(
-      camera, [at = camera.location, axes, width, height](double across, double upwards) -> std::optional<ProjectedRay> {
+      camera,
+      [at = camera.location, axes, width, height](double across, double upwards) -> std::optional<ProjectedRay> {
         const double x = across * width;
         const double y = upwards * height;
         return ProjectedRay{

@@ -28,7 +28,8 @@ Vec3 AreaGrid::place(int u, int v) const {
   double along1 = u;
   double along2 = v;
   if (light_.jitter) {
-    const auto point = static_cast<std::uint64_t>(u) * static_cast<std::uint64_t>(area_.size2) + static_cast<std::uint64_t>(v);
+    const auto point =
+        static_cast<std::uint64_t>(u) * static_cast<std::uint64_t>(area_.size2) + static_cast<std::uint64_t>(v);
     const std::uint64_t number = 4 * point + (use_ == Use::illumination ? 2 : 0);
     along1 += draws_[number] - 0.5;
     along2 += draws_[number + 1] - 0.5;

@@ -51,8 +51,8 @@ struct AreaQuarters {
 /// Of an odd number of points the middle ones are in both halves. Pre: rectangle.has_quarters().
 AreaQuarters quarters_of(const AreaRectangle& rectangle);
 
-/// Whether light as it comes from the corners of a rectangle, in their order, differs so much that its quarters have to be
-/// looked at.
+/// Whether light as it comes from the corners of a rectangle, in their order, differs so much that its quarters have to
+/// be looked at.
 bool differ(const std::array<Rgb, 4>& corners);
 
 }  // namespace firstlight::render

@@ -14,8 +14,8 @@ struct Arrival {
   Column<double> share;  ///< of the light's colour: what the beam and the distance leave
 };
 
-/// Replaces `arrival` by that of `light` at the first `count` of `points`. `places`: where the light is for each of them;
-/// null: at its position.
+/// Replaces `arrival` by that of `light` at the first `count` of `points`. `places`: where the light is for each of
+/// them; null: at its position.
 /// Source   POV-Ray 3.7 manual, "Light Source".
 void arrive(const Light& light, const Columns3<double>& points, std::size_t count, const Columns3<double>* places,
             Arrival& arrival);

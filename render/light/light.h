@@ -56,8 +56,8 @@ struct Light {
   std::optional<bool> photon_refraction = {};
   bool photon_area_light = false;  ///< photons start from all over the area
 
-  std::uint32_t group = 0;             ///< of a scene: the light group whose members alone it shines on; 0: all others
-  std::uint32_t window = kNoWindow;    ///< of a scene: into Scene::windows, what it is projected through
+  std::uint32_t group = 0;           ///< of a scene: the light group whose members alone it shines on; 0: all others
+  std::uint32_t window = kNoWindow;  ///< of a scene: into Scene::windows, what it is projected through
   static constexpr std::uint32_t kNoWindow = 0xffffffffu;
 
   std::shared_ptr<const Object> looks_like = {};         ///< in the space around the light; casts no shadow

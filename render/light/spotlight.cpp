@@ -5,8 +5,8 @@
 
 namespace firstlight::render {
 
-/// The cosine to the axis, to the power of `tightness`; from the radius to the falloff it goes down to nothing. Rays that
-/// are all parallel are all along the axis.
+/// The cosine to the axis, to the power of `tightness`; from the radius to the falloff it goes down to nothing. Rays
+/// that are all parallel are all along the axis.
 void beam::cone(const Light& light, const Columns3<double>&, std::size_t count, Arrival& arrival) {
   constexpr double kDegree = std::numbers::pi / 180.0;
   const Vec3 axis = unit(light.point_at - light.position);

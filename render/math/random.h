@@ -9,8 +9,8 @@ namespace firstlight::render {
 
 /// Numbers that look drawn at random and are hashes of what they are drawn for, so that no stream of them has an order.
 ///
-/// Source   Steele, Lea & Flood, "Fast Splittable Pseudorandom Number Generators", OOPSLA 2014: its last step, by which each
-///          bit that goes in changes half of those that come out.
+/// Source   Steele, Lea & Flood, "Fast Splittable Pseudorandom Number Generators", OOPSLA 2014: its last step, by which
+///          each bit that goes in changes half of those that come out.
 class HashedDraws {
  public:
   /// Draws for a point, and another point or none.
@@ -21,9 +21,7 @@ class HashedDraws {
   }
 
   /// The draw of that number, in [0, 1).
-  double operator[](std::uint64_t number) const {
-    return static_cast<double>(mixed(state_ + number) >> 11) * 0x1p-53;
-  }
+  double operator[](std::uint64_t number) const { return static_cast<double>(mixed(state_ + number) >> 11) * 0x1p-53; }
 
  private:
   static std::uint64_t mixed(std::uint64_t x) {

@@ -183,7 +183,8 @@ bool Extent::holds(const Vec3& point) const {
 bool Extent::meets(const Box3& points) const {
   for (std::size_t axis = 0; axis < 3; ++axis) {
     const auto along = static_cast<int>(axis);
-    if (!(static_cast<float>(points.max[along]) >= corner[axis] && static_cast<float>(points.min[along]) <= high(axis))) {
+    if (!(static_cast<float>(points.max[along]) >= corner[axis] &&
+          static_cast<float>(points.min[along]) <= high(axis))) {
       return false;
     }
   }

@@ -36,7 +36,7 @@ struct Inherited {
   bool uv_mapping = false;  ///< of the textures
   bool hollow = false;
   Moves moves;  ///< of the dissolved unions around, one after another, for extent()
-  std::uint32_t light_group = 0;   ///< whose lights shine on it; 0: none
+  std::uint32_t light_group = 0;    ///< whose lights shine on it; 0: none
   std::uint32_t group_at_hand = 0;  ///< of lights that are members of the node itself
   bool in_light_group = false;
   bool global_lights = true;
@@ -183,9 +183,9 @@ Inherited SceneBuilder::State::at_node(const Object& object, const Inherited& pa
   return node;
 }
 
-/// A group without lights, or without anything that they could shine on, is a union like any other, but for the lights of
-/// the scene. Of groups within groups, the innermost says which group's lights shine, and the outermost whether the scene's
-/// do. [POV-Ray 3.7]
+/// A group without lights, or without anything that they could shine on, is a union like any other, but for the lights
+/// of the scene. Of groups within groups, the innermost says which group's lights shine, and the outermost whether the
+/// scene's do. [POV-Ray 3.7]
 void SceneBuilder::State::join_light_group(const Object& object, Inherited& node) {
   node.group_at_hand = 0;
   const ObjectExtras& extras = object.extras;

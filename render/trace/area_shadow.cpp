@@ -16,8 +16,8 @@ std::size_t points_of(const Light& light) {
   return static_cast<std::size_t>(light.area->size1) * static_cast<std::size_t>(light.area->size2);
 }
 
-/// The colour of the light at a point, in single precision. With `area_illumination` what beam and distance leave is asked
-/// for each point of the light, and has no part in the shadow. [POV-Ray 3.7]
+/// The colour of the light at a point, in single precision. With `area_illumination` what beam and distance leave is
+/// asked for each point of the light, and has no part in the shadow. [POV-Ray 3.7]
 Rgb arriving_at(const Light& light, const Vec3& point) {
   if (light.area_illumination) return light.color;
   Columns3<double> points;
@@ -53,8 +53,11 @@ std::uint64_t AreaShadow::find_together(std::span<const Feeler> feelers, std::sp
   for (const Feeler& feeler : feelers) {
     const Light& light = scene_.lights[feeler.light];
     regions_.push_back({grids_.size(), {0, 0, light.area->size1 - 1, light.area->size2 - 1}, 1.0});
-    grids_.push_back({&light, AreaGrid(light, feeler.origin, AreaGrid::Use::shadow), arriving_at(light, feeler.origin),
-                      points, {0.0, 0.0, 0.0}});
+    grids_.push_back({&light,
+                      AreaGrid(light, feeler.origin, AreaGrid::Use::shadow),
+                      arriving_at(light, feeler.origin),
+                      points,
+                      {0.0, 0.0, 0.0}});
     points += points_of(light);
   }
   points_.assign(points, Point());

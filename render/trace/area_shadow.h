@@ -13,8 +13,8 @@ namespace firstlight::render {
 /// rectangles where their corners differ.
 ///
 /// Source   POV-Ray 3.7 manual, "Area Lights".
-/// Order    The feelers of a block are worked on in waves, so that blocks of rays stay full: the corners of all grids, then
-///          those of all quarters that are wanted, and so on. What is found for one does not depend on the others.
+/// Order    The feelers of a block are worked on in waves, so that blocks of rays stay full: the corners of all grids,
+///          then those of all quarters that are wanted, and so on. What is found for one does not depend on the others.
 /// Cost     At most as many rays for a feeler as its light has points.
 /// Threads  One a thread.
 class AreaShadow {

@@ -99,7 +99,8 @@ void begin_light(HitBlock& block);
 /// diffuse, phong and specular terms; see light_block.cpp.
 void light_hits(HitBlock& block, std::span<const Light> lights);
 
-/// Where feelers to a light lead: its position, 0, and nothing; of parallel ones its position, 1, and the direction to it.
+/// Where feelers to a light lead: its position, 0, and nothing; of parallel ones its position, 1, and the direction to
+/// it.
 using LightPlace = std::array<double, 8>;
 LightPlace place_of(const Light& light);
 

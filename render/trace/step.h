@@ -119,11 +119,11 @@ class Stepper {
   /// something opaque blocks.
   void take_back(const RayTask& task, std::size_t& feeler, std::uint64_t blocked, std::uint64_t to_areas,
                  Contribution& light);
-  /// Shortens feelers to lights that are projected through something, whose ways end there. Returns the bits of those that
-  /// do not lead through it.
+  /// Shortens feelers to lights that are projected through something, whose ways end there. Returns the bits of those
+  /// that do not lead through it.
   std::uint64_t end_at_windows(std::span<const RayTask> tasks);
-  /// Finds what passes of the light of those feelers of the block that lead to area lights, and keeps it in shares_; the
-  /// others' shares are what they were. Returns the bits of those feelers.
+  /// Finds what passes of the light of those feelers of the block that lead to area lights, and keeps it in shares_;
+  /// the others' shares are what they were. Returns the bits of those feelers.
   std::uint64_t ask_areas(std::span<const RayTask> tasks);
 
   /// Adds the hit to block_ and surfaces_, unless it takes the light and gives none.

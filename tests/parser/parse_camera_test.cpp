@@ -18,16 +18,11 @@ TEST(ParseCameraKind, EachKindIsKnown) {
     CameraKind kind;
   };
   const Case cases[] = {
-      {"perspective", CameraKind::perspective},
-      {"orthographic", CameraKind::orthographic},
-      {"fisheye", CameraKind::fisheye},
-      {"ultra_wide_angle", CameraKind::ultra_wide_angle},
-      {"omnimax", CameraKind::omnimax},
-      {"panoramic", CameraKind::panoramic},
-      {"cylinder 1", CameraKind::cylinder_1},
-      {"cylinder 2", CameraKind::cylinder_2},
-      {"cylinder 3", CameraKind::cylinder_3},
-      {"cylinder 4", CameraKind::cylinder_4},
+      {"perspective", CameraKind::perspective}, {"orthographic", CameraKind::orthographic},
+      {"fisheye", CameraKind::fisheye},         {"ultra_wide_angle", CameraKind::ultra_wide_angle},
+      {"omnimax", CameraKind::omnimax},         {"panoramic", CameraKind::panoramic},
+      {"cylinder 1", CameraKind::cylinder_1},   {"cylinder 2", CameraKind::cylinder_2},
+      {"cylinder 3", CameraKind::cylinder_3},   {"cylinder 4", CameraKind::cylinder_4},
       {"spherical", CameraKind::spherical},
   };
   for (const Case& one : cases) {

@@ -31,9 +31,7 @@ Camera camera_of(CameraKind kind, double angle = 90.0) {
 }
 
 /// The ray through a place: (0, 0) is the lower left corner of the picture, (1, 1) the upper right one.
-std::optional<Ray> ray_at(const Camera& camera, double x, double y) {
-  return ray_through({camera, 1, 1}, x, 1.0 - y);
-}
+std::optional<Ray> ray_at(const Camera& camera, double x, double y) { return ray_through({camera, 1, 1}, x, 1.0 - y); }
 
 TEST(Projection, MiddleOfThePictureLooksAlongTheDirection) {
   for (const CameraKind kind :
@@ -84,7 +82,8 @@ TEST(Projection, OmnimaxHasNothingBesideItsDiscNorFarBelowTheDirection) {
   EXPECT_FALSE(ray_at(camera, 0.5, 0.15));  // 59 degrees below
   // The direction of a wide one lies where 1.283458 times as much is above it as a square one has.
   EXPECT_TRUE(ray_at(camera_of(CameraKind::omnimax), 0.5, 0.5 - 0.5 * (1.283458 - 1.0) + 1e-9));
-  expect_vector(ray_at(camera_of(CameraKind::omnimax), 0.5, 1.0).value().direction, {0.0, std::sin(rim), std::cos(rim)});
+  expect_vector(ray_at(camera_of(CameraKind::omnimax), 0.5, 1.0).value().direction,
+                {0.0, std::sin(rim), std::cos(rim)});
 }
 
 TEST(Projection, PanoramicIsHalfATurnWideAndStraightUpAtTheTop) {
@@ -101,9 +100,10 @@ TEST(Projection, PanoramicIsHalfATurnWideAndStraightUpAtTheTop) {
 TEST(Projection, CylindersGoRoundTheirAxis) {
   expect_vector(ray_at(camera_of(CameraKind::cylinder_1, 180.0), 1.0, 0.5).value().direction, {1.0, 0.0, 0.0});
   expect_vector(ray_at(camera_of(CameraKind::cylinder_1, 180.0), 0.5, 1.0).value().direction,
-              Vec3(0.0, 0.5, 1.0).normalized());
+                Vec3(0.0, 0.5, 1.0).normalized());
   expect_vector(ray_at(camera_of(CameraKind::cylinder_2, 180.0), 0.5, 1.0).value().direction, {0.0, 1.0, 0.0});
-  expect_vector(ray_at(camera_of(CameraKind::cylinder_2, 180.0), 0.0, 0.5).value().direction, {-kDiagonal, 0.0, kDiagonal});
+  expect_vector(ray_at(camera_of(CameraKind::cylinder_2, 180.0), 0.0, 0.5).value().direction,
+                {-kDiagonal, 0.0, kDiagonal});
   const auto upright = ray_at(camera_of(CameraKind::cylinder_3, 180.0), 0.0, 1.0).value();
   expect_vector(upright.origin, {1.0, 2.5, 3.0});
   expect_vector(upright.direction, {-1.0, 0.0, 0.0});
