@@ -8,6 +8,8 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <type_traits>
+#include <utility>
 
 namespace firstlight::render {
 namespace {
@@ -31,10 +33,18 @@ class TableRandom {
   std::uint32_t state_;
 };
 
+/// Two numbers that are worked on at once.
+using Pair = double __attribute__((vector_size(16)));
+
 /// Tables of the original noise: a permutation of the lattice's points, and the coefficients of the linear functions
 /// that are blended between them.
 class LatticeTables {
  public:
+  /// The coefficients at a point of a field of vectors: of x and y side by side, and of z. The first of four is halved.
+  struct Gradient {
+    Pair xy[4];
+    double z[4];
+  };
   static constexpr unsigned kPoints = 4096;
   static const LatticeTables& get() {
     static const LatticeTables tables;
@@ -47,15 +57,24 @@ class LatticeTables {
     return permutation_[permutation_[permutation_[x & kWithin] ^ (y & kWithin)] ^ (z & kWithin)];
   }
   /// The first of the coefficients at a point, given its column().
-  const double* coefficients(unsigned column, unsigned z) const { return &values_[permutation_[column ^ z] & 0xff]; }
+  const double* coefficients(unsigned column, unsigned z) const { return &values_[entry(column, z)]; }
+  const Gradient& gradient(unsigned column, unsigned z) const { return gradients_[entry(column, z)]; }
 
  private:
+  unsigned entry(unsigned column, unsigned z) const { return permutation_[column ^ z] & 0xff; }
   LatticeTables() {
     for (unsigned i = 0; i < kPoints; ++i) permutation_[i] = static_cast<std::uint16_t>(i);
     TableRandom random(0);
     for (unsigned i = kPoints; i-- > 0;) std::swap(permutation_[i], permutation_[random.next() % kPoints]);
     std::copy_n(permutation_.begin(), kPoints, permutation_.begin() + kPoints);
     for (std::size_t i = 0; i < values_.size(); ++i) values_[i] = value(static_cast<double>(i));
+    for (std::size_t i = 0; i < gradients_.size(); ++i) {
+      for (std::size_t k = 0; k < 4; ++k) {
+        const double factor = k == 0 ? 0.5 : 1.0;
+        gradients_[i].xy[k] = Pair{values_[i + k] * factor, values_[i + 4 + k] * factor};
+        gradients_[i].z[k] = values_[i + 8 + k] * factor;
+      }
+    }
   }
 
   /// The checksum (CRC-16, polynomial 0x8005) over three doubles of 0.12345 * i, highest byte first, brought to -1 to 1
@@ -77,6 +96,7 @@ class LatticeTables {
 
   std::array<std::uint16_t, 2 * kPoints> permutation_{};
   std::array<double, 267> values_{};
+  std::array<Gradient, 256> gradients_{};
 };
 
 /// A place in the lattice along one axis: the number of the point below, and the way from it.
@@ -92,22 +112,27 @@ struct Step {
   }
 };
 
-/// The corners of one cell of the lattice about a point: calls visit(coefficients, weight, way from the corner).
-template <class Visit>
-void visit_corners(const Vec3& p, const std::array<std::uint8_t, 8>& order, Visit visit) {
+/// The corners of one cell of the lattice about a point: calls visit(column, z, weight, way from the corner), written
+/// out for each of them.
+template <std::array<std::uint8_t, 8> kOrder, class Visit>
+inline void visit_corners(const Vec3& p, const Visit& visit) {
   const LatticeTables& tables = LatticeTables::get();
   const Step x(p.x), y(p.y), z(p.z);
   const double to_x = s_curve(x.from), to_y = s_curve(y.from), to_z = s_curve(z.from);
   const std::array<double, 4> weight_xy = {(1.0 - to_x) * (1.0 - to_y), to_x * (1.0 - to_y), (1.0 - to_x) * to_y,
                                            to_x * to_y};
   const std::array<double, 2> weight_z = {1.0 - to_z, to_z};
+  const std::array<double, 2> way_x = {x.from, x.from - 1.0}, way_y = {y.from, y.from - 1.0}, way_z = {z.from, z.from - 1.0};
   std::array<unsigned, 4> column{};
   for (unsigned i = 0; i < 4; ++i) column[i] = tables.column(x.point + (i & 1), y.point + (i >> 1));
-  for (const unsigned corner : order) {
-    const unsigned i = corner & 3, up = corner >> 2;
-    visit(tables.coefficients(column[i], z.point + up), weight_xy[i] * weight_z[up],
-          Vec3(x.from - (i & 1), y.from - (i >> 1), z.from - up));
-  }
+  const auto visit_corner = [&]<unsigned corner>(std::integral_constant<unsigned, corner>) {
+    constexpr unsigned i = corner & 3, up = corner >> 2;
+    visit(tables, column[i], z.point + up, weight_xy[i] * weight_z[up],
+          Vec3(way_x[i & 1], way_y[i >> 1], way_z[up]));
+  };
+  [&]<std::size_t... k>(std::index_sequence<k...>) {
+    (visit_corner(std::integral_constant<unsigned, kOrder[k]>()), ...);
+  }(std::make_index_sequence<8>());
 }
 
 // Sums depend on their order in the last digit, and POV-Ray goes about the corners in two ways.
@@ -120,8 +145,10 @@ double linear(const double* c, double weight, const Vec3& way) {
 
 double lattice_noise(const Vec3& point) {
   double sum = 0.0;
-  visit_corners(point, kByRows,
-                [&](const double* c, double weight, const Vec3& way) { sum += linear(c, weight, way); });
+  visit_corners<kByRows>(
+      point, [&](const LatticeTables& tables, unsigned column, unsigned z, double weight, const Vec3& way) {
+        sum += linear(tables.coefficients(column, z), weight, way);
+      });
   return sum;
 }
 
@@ -215,11 +242,15 @@ double noise(const Vec3& point, int generator) {
 }
 
 Vec3 dnoise(const Vec3& point) {
-  Vec3 sum(0.0);
-  visit_corners(point, kRound, [&](const double* c, double weight, const Vec3& way) {
-    sum += Vec3(linear(c, weight, way), linear(c + 4, weight, way), linear(c + 8, weight, way));
-  });
-  return sum;
+  Pair xy{0.0, 0.0};
+  double z = 0.0;
+  visit_corners<kRound>(
+      point, [&](const LatticeTables& tables, unsigned column, unsigned layer, double weight, const Vec3& way) {
+        const LatticeTables::Gradient& g = tables.gradient(column, layer);
+        xy += weight * (g.xy[0] + g.xy[1] * way.x + g.xy[2] * way.y + g.xy[3] * way.z);
+        z += weight * (g.z[0] + g.z[1] * way.x + g.z[2] * way.y + g.z[3] * way.z);
+      });
+  return {xy[0], xy[1], z};
 }
 
 double turbulence(const Vec3& point, const Octaves& octaves, int generator) {
