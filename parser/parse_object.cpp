@@ -64,7 +64,7 @@ std::optional<Object> parse_shape(Reader& reader, SceneContext& context, const S
     object.patch = object.patch || shape.patch;
     for (const auto& texture : object.extras->shape_textures) object.depth = std::max(object.depth, depth_of(*texture));
     object.cramped = object.shape->given_bounds() != object.shape->bounds();
-  } else {
+  } else if (!object.children) {
     object = empty_object();
   }
   parse_modifiers(reader, context, word, object);

@@ -1,72 +1,77 @@
 #include "parser/parse_common.h"
 #include "parser/parse_form.h"
+#include "parser/parse_shape.h"
+#include "render/shape/bicubic_patch.h"
 
 namespace firstlight::parser {
 
-using render::BicubicPatchForm;
-using render::Object;
+using render::ShapePtr;
 
 namespace {
 
+/// What is said about a patch; its type and accuracy change nothing that is seen.
+struct Draft : render::BicubicPatchParameters {
+  int type = -1;
+};
+
 /// The old form: type, flatness of some types, steps, without words.
-void parse_wordless(Reader& reader, BicubicPatchForm& form) {
+void parse_wordless(Reader& reader, Draft& draft) {
   const Token& at = reader.peek();
   if (language_version(reader) >= 150) reader.warn(at, "the numbers of 'bicubic_patch' should have their words");
-  form.type = integer(reader, "type");
-  form.flatness = form.type == 2 || form.type == 3 ? finite_number(reader, "flatness") : 0.1;
-  form.u_steps = integer(reader, "u_steps");
-  form.v_steps = integer(reader, "v_steps");
+  draft.type = integer(reader, "type");
+  draft.flatness = draft.type == 2 || draft.type == 3 ? finite_number(reader, "flatness") : 0.1;
+  draft.u_steps = integer(reader, "u_steps");
+  draft.v_steps = integer(reader, "v_steps");
 }
 
-bool accept_item(Reader& reader, BicubicPatchForm& form) {
+bool accept_item(Reader& reader, Draft& draft) {
   if (reader.accept(Keyword::type)) {
-    form.type = integer(reader, "type");
+    draft.type = integer(reader, "type");
   } else if (reader.accept(Keyword::flatness)) {
-    form.flatness = finite_number(reader, "flatness");
+    draft.flatness = finite_number(reader, "flatness");
   } else if (reader.accept(Keyword::u_steps)) {
-    form.u_steps = integer(reader, "u_steps");
+    draft.u_steps = integer(reader, "u_steps");
   } else if (reader.accept(Keyword::v_steps)) {
-    form.v_steps = integer(reader, "v_steps");
+    draft.v_steps = integer(reader, "v_steps");
   } else if (reader.accept(Keyword::accuracy)) {
-    form.accuracy = finite_number(reader, "accuracy");
+    finite_number(reader, "accuracy");
   } else {
     return false;
   }
   return true;
 }
 
-void parse_corner_uvs(Reader& reader, BicubicPatchForm& form) {
-  for (render::Vec2& uv : form.uv) {
+void parse_corner_uvs(Reader& reader, Draft& draft) {
+  for (render::Vec2& uv : draft.uv) {
     uv = finite_vector2(reader, "uv_vectors");
-    if (&uv != &form.uv.back()) reader.skip_comma();
+    if (&uv != &draft.uv.back()) reader.skip_comma();
   }
 }
 
 }  // namespace
 
-void parse_bicubic_patch(Reader& reader, SceneContext&, const Token& word, Object& object) {
-  BicubicPatchForm form;
-  form.type = -1;
-  while (accept_item(reader, form)) {
+ShapePtr parse_bicubic_patch(Reader& reader, const Token& word) {
+  Draft draft;
+  while (accept_item(reader, draft)) {
   }
   if (reader.accept(Keyword::uv_vectors)) {
-    parse_corner_uvs(reader, form);
+    parse_corner_uvs(reader, draft);
   } else if (reader.at_number()) {
-    parse_wordless(reader, form);
+    parse_wordless(reader, draft);
   }
-  if (form.type > 1) {
+  if (draft.type > 1) {
     reader.warn(word, "'bicubic_patch' has only the types 0 and 1; type 1 is used");
-    form.type = 1;
+    draft.type = 1;
   }
-  if (form.type < 0) reader.fail(word, "'bicubic_patch' needs its 'type', 0 or 1");
+  if (draft.type < 0) reader.fail(word, "'bicubic_patch' needs its 'type', 0 or 1");
   reader.skip_comma();
-  for (auto& row : form.points) {
+  for (auto& row : draft.points) {
     for (render::Vec3& point : row) {
       point = finite_vector(reader, "point of 'bicubic_patch'");
-      if (&point != &form.points.back().back()) reader.skip_comma();
+      if (&point != &draft.points.back().back()) reader.skip_comma();
     }
   }
-  set_form(object, form);
+  return render::make_bicubic_patch(draft);
 }
 
 }  // namespace firstlight::parser

@@ -3,6 +3,7 @@
 #include "render/math/bounds.h"
 #include "render/scene/object.h"
 #include "render/scene/region.h"
+#include "render/shape/height_field.h"
 #include "render/shape/plane.h"
 
 #include <algorithm>
@@ -102,7 +103,7 @@ Box3 box_of_intersection(const std::vector<Object>& members) {
   for (const Object& member : members) {
     if (as_plane(member.shape.get()) != nullptr) {
       box = common(box, box_of_half_space(*as_plane(placed_shape(member, member.placement, member.inverted).get())));
-    } else if (!member.inverted) {
+    } else if (!member.inverted && (!member.shape || !is_height_field(*member.shape))) {
       box = common(box, extent(member).box());
     }
   }

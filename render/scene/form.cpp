@@ -4,14 +4,11 @@ namespace firstlight::render {
 namespace {
 
 // Overloads rather than a table by index: the variant may get a new alternative anywhere.
-Feature feature(const BicubicPatchForm&) { return Feature::bicubic_patch; }
-Feature feature(const HeightFieldForm&) { return Feature::height_field; }
 Feature feature(const IsosurfaceForm&) { return Feature::isosurface; }
 Feature feature(const JuliaFractalForm&) { return Feature::julia_fractal; }
 Feature feature(const OvusForm&) { return Feature::ovus; }
 Feature feature(const ParametricForm&) { return Feature::parametric; }
 Feature feature(const SphereSweepForm&) { return Feature::sphere_sweep; }
-Feature feature(const TextForm&) { return Feature::text; }
 
 }  // namespace
 
@@ -20,7 +17,7 @@ Feature feature_of(const Form& form) {
 }
 
 bool is_patch(const Form& form) {
-  return std::holds_alternative<BicubicPatchForm>(form.shape) || std::holds_alternative<ParametricForm>(form.shape);
+  return std::holds_alternative<ParametricForm>(form.shape);
 }
 
 }  // namespace firstlight::render

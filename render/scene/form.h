@@ -3,10 +3,7 @@
 #include "render/feature/feature.h"
 #include "render/scene/forms/analytic.h"
 #include "render/scene/forms/field.h"
-#include "render/scene/forms/height_field.h"
-#include "render/scene/forms/patch.h"
 #include "render/scene/forms/sphere_sweep.h"
-#include "render/scene/forms/text.h"
 
 #include <variant>
 
@@ -14,9 +11,7 @@ namespace firstlight::render {
 
 /// A shape as it is described. Immutable once it is part of an Object, and shared by its copies.
 struct Form {
-  std::variant<BicubicPatchForm, HeightFieldForm, IsosurfaceForm, JuliaFractalForm, OvusForm, ParametricForm,
-               SphereSweepForm, TextForm>
-      shape;
+  std::variant<IsosurfaceForm, JuliaFractalForm, OvusForm, ParametricForm, SphereSweepForm> shape;
 };
 
 /// What must be rendered to show it.

@@ -8,6 +8,7 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <utility>
 
 namespace firstlight::render {
 namespace {
@@ -59,8 +60,13 @@ struct Prism {
   Sweep sweep;
   bool open;
 
-  explicit Prism(const PrismParameters& parameters)
-      : segments(segments_of(parameters)),
+  double nearest = kNearest;
+  bool turns_base = false;  ///< the base's normal points down
+
+  explicit Prism(const PrismParameters& parameters) : Prism(segments_of(parameters), parameters) {}
+  /// Of `parameters` only what is beside the curves counts.
+  Prism(std::vector<ProfileSegment> curves, const PrismParameters& parameters)
+      : segments(std::move(curves)),
         bottom(parameters.low),
         top(parameters.high),
         sweep(parameters.sweep),
@@ -77,9 +83,9 @@ struct Prism {
     const auto [length, ray] = UnitRay(given);
     const Vec3& p = ray.origin;
     const Vec3& d = ray.direction;
-    const auto add = [&met, l = length](double t, std::uint32_t face, double w) {
+    const auto add = [&met, l = length, this](double t, std::uint32_t face, double w) {
       const double depth = t / l;
-      if (depth > kNearest && depth < kMaxDistance) met.add(depth, face, {w, 0.0});
+      if (depth > nearest && depth < kMaxDistance) met.add(depth, face, {w, 0.0});
     };
     if (std::abs(d.y) < kEpsilon) {
       if (p.y < bottom || p.y > top) return;
@@ -88,7 +94,7 @@ struct Prism {
         const double size = sweep == Sweep::conic ? height : 1.0;
         if (!(std::abs(size) > kEpsilon)) return;
         const double t = (height - p.y) / d.y;
-        if (t > kNearest && t < kMaxDistance && is_in_curves((p.x + t * d.x) / size, (p.z + t * d.z) / size)) {
+        if (t > nearest && t < kMaxDistance && is_in_curves((p.x + t * d.x) / size, (p.z + t * d.z) / size)) {
           add(t, face, 0.0);
         }
       };
@@ -122,6 +128,7 @@ struct Prism {
     return is_in_curves(p.x / size, p.z / size) != inverted;
   }
   Vec3 normal(const Vec3& p, const Crossing& at) const {
+    if (at.face == kBase && turns_base) return Vec3(0.0, -1.0, 0.0);
     if (at.face == kBase || at.face == kCap) return Vec3(0.0, 1.0, 0.0);
     const Vec2 slope = segments[at.face].slope(at.place[0]);
     Vec3 n(slope.y, 0.0, -slope.x);
@@ -180,6 +187,15 @@ struct Prism {
 
 ShapePtr make_prism(const PrismParameters& parameters) {
   return std::make_shared<Placed<Prism>>(Prism(parameters), Transform());
+}
+
+ShapePtr make_letter(std::vector<ProfileSegment> outline, double thickness) {
+  constexpr double kNearestOfText = 1e-6;  // POV-Ray's
+  Prism letter(std::move(outline), {ProfileSpline::quadratic, PrismParameters::Sweep::linear, 0.0, thickness, {}, false});
+  letter.nearest = kNearestOfText;
+  letter.turns_base = true;
+  const Mat4 upright(1, 0, 0, 0, 0, 0, 1, 0, 0, 1, 0, 0, 0, 0, 0, 1);  // y and z change places
+  return std::make_shared<Placed<Prism>>(std::move(letter), Transform(upright));
 }
 
 }  // namespace firstlight::render

@@ -24,5 +24,7 @@ struct PrismParameters {
 };
 
 ShapePtr make_prism(const PrismParameters& parameters);
+/// A letter of a text: closed curves in the xy plane, swept from z = 0 to z = `thickness`.
+ShapePtr make_letter(std::vector<ProfileSegment> outline, double thickness);
 
 }  // namespace firstlight::render

@@ -76,15 +76,15 @@ TEST(ParseParametric, TakesThreeFunctionsAndARange) {
 
 TEST(ParseHeightField, TakesAPictureAndALevel) {
   const SceneFile picture("picture");
-  const auto form =
-      form_of<render::HeightFieldForm>("height_field { png \"" + picture.path() + "\" smooth water_level 0.25 }");
-  EXPECT_TRUE(form.smooth);
-  EXPECT_EQ(form.water_level, 0.25);
-  EXPECT_NE(form.image.path.find("firstlight_scene"), std::string::npos);
-  const auto made = form_of<render::HeightFieldForm>("height_field { function 20, 30 { x*y } hierarchy off }");
-  EXPECT_EQ(made.image.columns, 20u);
-  EXPECT_EQ(made.image.rows, 30u);
-  EXPECT_TRUE(made.image.function);
+  EXPECT_NE(parsed_object("height_field { png \"" + picture.path() + "\" }").errors.find("cannot be used"),
+            std::string::npos);
+  const auto made = object_of("height_field { function 20, 30 { y } water_level 0.25 hierarchy off }").shape;
+  EXPECT_NEAR(made->bounds().max.x, 1.0, 1e-12);
+  EXPECT_NEAR(made->bounds().min.y, 0.25, 1e-6);
+  EXPECT_TRUE(made->inside(Vec3(0.5, 0.8, 0.1)));  // the picture's upper rows lie where z is 1
+  EXPECT_FALSE(made->inside(Vec3(0.5, 0.8, 0.9)));
+  EXPECT_TRUE(made->inside(Vec3(0.5, 0.2, 0.9)));
+  EXPECT_NE(parsed_object("height_field { function 1, 30 { x } }").errors, "");
   EXPECT_NE(parsed_object("height_field { png \"no such picture.png\" }").errors, "");
 }
 

@@ -12,33 +12,41 @@ constexpr std::string_view kTextures =
 std::string with_textures(std::string_view text) { return std::string(kTextures) + std::string(text); }
 
 TEST(ParseForm, QuadricTakesTenNumbers) {
-  const auto form = form_of<render::QuadricForm>("quadric { <1, 2, 3>, <4, 5, 6>, <7, 8, 9>, 10 }");
-  EXPECT_EQ(form.square, Vec3(1, 2, 3));
-  EXPECT_EQ(form.mixed, Vec3(4, 5, 6));
-  EXPECT_EQ(form.linear, Vec3(7, 8, 9));
-  EXPECT_EQ(form.constant, 10.0);
+  const auto shape = object_of("quadric { <1, 0, 4>, <0, 0, 0>, <0, -1, 0>, -3 }").shape;  // x^2 + 4 z^2 - y - 3
+  EXPECT_TRUE(shape->inside(Vec3(1.9, 1, 0)));
+  EXPECT_FALSE(shape->inside(Vec3(2.1, 1, 0)));
+  EXPECT_TRUE(shape->inside(Vec3(0, 1, 0.9)));
+  EXPECT_FALSE(shape->inside(Vec3(0, 1, 1.1)));
+  EXPECT_FALSE(shape->inside(Vec3(0, -3.1, 0)));
 }
 
 TEST(ParseForm, PolynomialTermsGoToTheirPlaces) {
   // poly { 2, <x^2, xy, xz, x, y^2, yz, y, z^2, z, 1> }
-  const auto listed = form_of<render::PolynomialForm>("poly { 2, <1, 2, 3, 4, 5, 6, 7, 8, 9, 10> sturm }");
-  const auto named = form_of<render::PolynomialForm>(
-      "polynomial { 2, xyz(2, 0, 0): 1, xyz(1, 1, 0): 2 xyz(1, 0, 1): 3, xyz(1, 0, 0): 4, xyz(0, 2, 0): 5, "
-      "xyz(0, 1, 1): 6, xyz(0, 1, 0): 7, xyz(0, 0, 2): 8, xyz(0, 0, 1): 9, xyz(0, 0, 0): 10 }");
-  EXPECT_EQ(listed.order, 2);
-  EXPECT_EQ(listed.coefficients, named.coefficients);
+  const auto listed = object_of("poly { 2, <1, 2, 3, 4, 5, 6, 7, 8, 9, -10> sturm }").shape;
+  const auto named =
+      object_of(
+          "polynomial { 2, xyz(2, 0, 0): 1, xyz(1, 1, 0): 2 xyz(1, 0, 1): 3, xyz(1, 0, 0): 4, xyz(0, 2, 0): 5, "
+          "xyz(0, 1, 1): 6, xyz(0, 1, 0): 7, xyz(0, 0, 2): 8, xyz(0, 0, 1): 9, xyz(0, 0, 0): -10 }")
+          .shape;
+  for (double x = -2.0; x < 2.0; x += 0.3) {
+    for (double y = -2.0; y < 2.0; y += 0.3) {
+      const Vec3 p(x, y, 0.4);
+      const double value = x * x + 2 * x * y + 3 * x * 0.4 + 4 * x + 5 * y * y + 6 * y * 0.4 + 7 * y + 8 * 0.16 + 3.6 - 10;
+      EXPECT_EQ(listed->inside(p), value < 1e-4) << p;
+      EXPECT_EQ(named->inside(p), listed->inside(p)) << p;
+    }
+  }
 }
 
 TEST(ParseForm, CubicAndQuarticHaveTheirOrders) {
-  const auto cubic = form_of<render::PolynomialForm>(
-      "cubic { <1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15, 16, 17, 18, 19, 20> }");
-  EXPECT_EQ(cubic.order, 3);
-  EXPECT_EQ(cubic.coefficients.back(), 20.0);
+  const auto cubic = object_of("cubic { <1, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, -8> }").shape;
+  EXPECT_TRUE(cubic->inside(Vec3(1.9, 5, 7)));
+  EXPECT_FALSE(cubic->inside(Vec3(2.1, 5, 7)));
   std::string numbers = "1";
-  for (int i = 1; i < 35; ++i) numbers += ", 0";
-  const auto quartic = form_of<render::PolynomialForm>("quartic { <" + numbers + "> }");
-  EXPECT_EQ(quartic.order, 4);
-  EXPECT_EQ(quartic.coefficients.size(), 35u);
+  for (int i = 1; i < 34; ++i) numbers += ", 0";
+  const auto quartic = object_of("quartic { <" + numbers + ", -16> }").shape;
+  EXPECT_TRUE(quartic->inside(Vec3(-1.9, 5, 7)));
+  EXPECT_FALSE(quartic->inside(Vec3(-2.1, 5, 7)));
 }
 
 TEST(ParseForm, PolynomialRefusesWhatHasNoPlace) {
@@ -49,9 +57,9 @@ TEST(ParseForm, PolynomialRefusesWhatHasNoPlace) {
 }
 
 TEST(ParseForm, SuperellipsoidTakesTwoExponents) {
-  const auto form = form_of<render::SuperellipsoidForm>("superellipsoid { <0.25, 0.5> }");
-  EXPECT_EQ(form.east_west, 0.25);
-  EXPECT_EQ(form.north_south, 0.5);
+  const auto shape = object_of("superellipsoid { <0.1, 1> }").shape;  // a box from above, a ball from the side
+  EXPECT_TRUE(shape->inside(Vec3(0.9, 0.9, 0)));
+  EXPECT_FALSE(shape->inside(Vec3(0.9, 0, 0.9)));
 }
 
 TEST(ParseForm, OvusWithATooLargeTopIsASphere) {
@@ -103,11 +111,10 @@ TEST(ParseForm, JuliaFractalRefusesASliceWithoutDirection) {
 }
 
 TEST(ParseForm, LatheTakesASplineAndItsPoints) {
-  const auto form = form_of<render::LatheForm>("lathe { cubic_spline 4, <1, 0>, <2, 1>, <2, 2>, <0, 3> sturm on }");
-  EXPECT_EQ(form.spline, render::ProfileSpline::cubic);
-  ASSERT_EQ(form.points.size(), 4u);
-  EXPECT_EQ(form.points[1], Vec2(2, 1));
-  EXPECT_EQ(form_of<render::LatheForm>("lathe { 2 <1, 0> <2, 1> }").spline, render::ProfileSpline::linear);
+  const auto cubic = object_of("lathe { cubic_spline 4, <1, 0>, <2, 1>, <2, 2>, <0, 3> sturm on }").shape;
+  EXPECT_EQ(cubic->bounds().min.y, 1.0);
+  EXPECT_EQ(cubic->bounds().max.y, 2.0);
+  EXPECT_EQ(object_of("lathe { 2 <1, 0> <2, 1> }").shape->bounds(), render::Box3(Vec3(-2, 0, -2), Vec3(2, 1, 2)));
 }
 
 TEST(ParseForm, LatheRefusesTooFewPointsAndPointsBehindTheAxis) {
@@ -119,50 +126,49 @@ TEST(ParseForm, LatheRefusesTooFewPointsAndPointsBehindTheAxis) {
 }
 
 TEST(ParseForm, SurfaceOfRevolutionMustRise) {
-  const auto form = form_of<render::SurfaceOfRevolutionForm>("sor { 4, <0, -1>, <1, 0>, <1, 1>, <0, 2> open }");
-  EXPECT_TRUE(form.open);
-  EXPECT_EQ(form.points.size(), 4u);
+  const auto shape = object_of("sor { 4, <0, -1>, <1, 0>, <1, 1>, <0, 2> open }").shape;
+  EXPECT_TRUE(shape->inside(Vec3(0.9, 0.5, 0)));
+  EXPECT_EQ(shape->bounds().max.y, 1.0);
   EXPECT_NE(parsed_object("sor { 3, <0, 0>, <1, 1>, <1, 2> }").errors.find("at least 4"), std::string::npos);
   EXPECT_NE(parsed_object("sor { 4, <0, 0>, <1, 2>, <1, 1>, <1, 3> }").errors.find("must rise"), std::string::npos);
 }
 
 TEST(ParseForm, PrismTakesSplineSweepAndHeights) {
-  const auto form = form_of<render::PrismForm>(
-      "prism { conic_sweep quadratic_spline 2, 1, 6, <0, 0>, <1, 0>, <1, 1>, <0, 1>, <0.5, 0.5>, <1, 0> open sturm }");
-  EXPECT_EQ(form.sweep, render::PrismForm::Sweep::conic);
-  EXPECT_EQ(form.spline, render::ProfileSpline::quadratic);
-  EXPECT_EQ(form.low, 1.0);
-  EXPECT_EQ(form.high, 2.0);
-  EXPECT_TRUE(form.open);
-  const auto bezier = form_of<render::PrismForm>(
-      "prism { bezier_spline linear_sweep 0, 1, 8 <0, 0> <0, 1> <1, 1> <1, 0> <1, 0> <1, -1> <0, -1> <0, 0> }");
-  EXPECT_EQ(bezier.points.size(), 8u);
+  const auto cone = object_of("prism { conic_sweep 2, 1, 5, <0, 0>, <1, 0>, <1, 1>, <0, 1>, <0, 0> open sturm }").shape;
+  EXPECT_TRUE(cone->inside(Vec3(1.8, 1.9, 1.8)));
+  EXPECT_FALSE(cone->inside(Vec3(1.8, 1.1, 1.8)));
+  EXPECT_FALSE(cone->inside(Vec3(0.1, 0.9, 0.1)));
+  const auto bezier =
+      object_of(
+          "prism { bezier_spline linear_sweep 0, 1, 8 <0, 0> <0, 1> <1, 1> <1, 0> <1, 0> <1, -1> <0, -1> <0, 0> }")
+          .shape;
+  EXPECT_TRUE(bezier->inside(Vec3(0.5, 0.5, 0.7)));
+  EXPECT_FALSE(bezier->inside(Vec3(0.5, 0.5, 0.8)));
 }
 
 TEST(ParseForm, LinearPrismThatIsNotClosedIsClosedWithAWarning) {
   const ParsedObject one = parsed_object("prism { 0, 1, 3, <0, 0>, <1, 0>, <0, 1> }");
   EXPECT_NE(one.warnings.find("it is closed"), std::string::npos);
-  const auto& form = std::get<render::PrismForm>(one.object->extras->form->shape);
-  EXPECT_EQ(form.points.back(), Vec2(0, 0));
+  EXPECT_TRUE(one.object->shape->inside(Vec3(0.1, 0.5, 0.5)));
+  EXPECT_FALSE(one.object->shape->inside(Vec3(-0.1, 0.5, 0.5)));
   const ParsedObject two = parsed_object("prism { 0, 1, 7, <0, 0>, <1, 0>, <0, 1>, <0, 0>, <2, 2>, <3, 2>, <2, 3> }");
-  EXPECT_EQ(std::get<render::PrismForm>(two.object->extras->form->shape).points.back(), Vec2(2, 2));
+  EXPECT_TRUE(two.object->shape->inside(Vec3(2.1, 0.5, 2.5)));
 }
 
 TEST(ParseForm, CurvedPrismThatIsNotClosedIsLeftOut) {
   const ParsedObject cubic =
       parsed_object("prism { cubic_spline 0, 1, 6, <0, 0>, <1, 0>, <1, 1>, <0, 1>, <2, 1>, <3, 3> }");
   EXPECT_NE(cubic.warnings.find("left out"), std::string::npos);
-  EXPECT_FALSE(cubic.object->extras->form);
+  EXPECT_FALSE(cubic.object->shape);
   const ParsedObject bezier = parsed_object("prism { bezier_spline 0, 1, 4, <0, 0>, <1, 0>, <1, 1>, <0, 1> }");
-  EXPECT_FALSE(bezier.object->extras->form);
+  EXPECT_FALSE(bezier.object->shape);
 }
 
 TEST(ParseForm, PolygonIsClosedWithAWarning) {
-  const auto closed = form_of<render::PolygonForm>("polygon { 4, 0, x, y, 0 }");
-  EXPECT_EQ(closed.points.size(), 4u);
+  EXPECT_TRUE(object_of("polygon { 4, 0, x, y, 0 }").shape);
   const ParsedObject open = parsed_object("polygon { 3, 0, x, y }");
   EXPECT_NE(open.warnings.find("not closed"), std::string::npos);
-  EXPECT_EQ(std::get<render::PolygonForm>(open.object->extras->form->shape).points.size(), 4u);
+  EXPECT_TRUE(open.object->shape);
   EXPECT_NE(parsed_object("polygon { 2, 0, x }").errors.find("at least 3"), std::string::npos);
 }
 
@@ -170,7 +176,7 @@ TEST(ParseForm, PolygonThatIsNotFlatIsLeftOut) {
   for (const char* points : {"4, 0, x, 2*x, 0", "5, 0, x, x + y, y + z, 0"}) {
     const ParsedObject parsed = parsed_object("polygon { " + std::string(points) + " }");
     EXPECT_NE(parsed.warnings.find("left out"), std::string::npos) << points;
-    EXPECT_FALSE(parsed.object->extras->form);
+    EXPECT_FALSE(parsed.object->shape);
   }
 }
 
@@ -193,64 +199,53 @@ TEST(ParseForm, BicubicPatchTakesItsWordsAndPoints) {
       "bicubic_patch { type 1 flatness 0.1 u_steps 3 v_steps 4 accuracy 0.05 "
       "uv_vectors <0, 0>, <2, 0>, <2, 2>, <0, 2>" +
       points);
-  const auto& form = std::get<render::BicubicPatchForm>(object.extras->form->shape);
   EXPECT_TRUE(object.patch);
-  EXPECT_EQ(form.type, 1);
-  EXPECT_EQ(form.flatness, 0.1);
-  EXPECT_EQ(form.u_steps, 3);
-  EXPECT_EQ(form.v_steps, 4);
-  EXPECT_EQ(form.accuracy, 0.05);
-  EXPECT_EQ(form.uv[2], Vec2(2, 2));
-  EXPECT_EQ(form.points[1][2], Vec3(2, 1, 0));
-  EXPECT_EQ(form.points[3][3], Vec3(7, 8, 9));
+  EXPECT_EQ(object.shape->bounds(), render::Box3(Vec3(0, 0, 0), Vec3(7, 8, 9)));
   const ParsedObject old = parsed_object("bicubic_patch { 3, 0.2, 1, 1" + points);
   EXPECT_NE(old.errors + old.warnings, "");
   EXPECT_NE(parsed_object("bicubic_patch { flatness 1" + points).errors.find("'type'"), std::string::npos);
 }
 
 TEST(ParseForm, TextTakesAFontAndALine) {
-  const auto form = form_of<render::TextForm>("text { internal 2 \"Abc\", 0.5, <0.1, 0, 0> }");
-  EXPECT_EQ(form.builtin_font, 2);
-  EXPECT_EQ(form.text, "Abc");
-  EXPECT_EQ(form.thickness, 0.5);
-  EXPECT_EQ(form.offset, Vec3(0.1, 0, 0));
-  EXPECT_EQ(form_of<render::TextForm>("text { internal 99 \"a\" 1 0 }").builtin_font, 0);
+  const render::Object text = object_of("text { internal 2 \"A bc\", 0.5, <0.1, 0, 0> }");
+  EXPECT_EQ(text.kind, render::Object::Kind::union_);
+  ASSERT_EQ(text.children->size(), 3u) << "a blank is no letter";
+  const render::Box3 letter = text.children->front().shape->bounds();
+  EXPECT_NEAR(letter.max.z, 0.5, 1e-9);
+  EXPECT_GT(letter.max.y, 0.5);
+  EXPECT_EQ(object_of("text { internal 99 \"a\" 1 0 }").children->size(), 1u);
+  EXPECT_EQ(object_of("text { ttf \"timrom\" \"\" 1 0 }").children->size(), 0u);
   EXPECT_NE(parsed_object("text { ttf \"no such font\", \"a\", 1, 0 }").errors.find("no such font"), std::string::npos);
   EXPECT_NE(parsed_object("text { \"a\", 1, 0 }").errors.find("'ttf' or 'internal'"), std::string::npos);
 }
 
-TEST(ParseForm, FontIsFoundWithoutItsExtension) {
+TEST(ParseForm, FontThatIsNoneIsRefused) {
   const std::string name = "firstlight_font_" + std::to_string(getpid());
   const std::filesystem::path path = std::filesystem::temp_directory_path() / (name + ".ttf");
   std::ofstream(path) << "font";
-  const auto form = form_of<render::TextForm>("text { ttf \"" + name + "\", \"a\", 1, 0 }");
-  EXPECT_EQ(std::filesystem::path(form.font_file).filename(), name + ".ttf");
+  EXPECT_NE(parsed_object("text { ttf \"" + name + "\", \"a\", 1, 0 }").errors.find("no TrueType font"),
+            std::string::npos);
   std::filesystem::remove(path);
 }
 
 TEST(ParseForm, BlobTakesComponentsWithSurfacesOfTheirOwn) {
-  const auto form = form_of<render::BlobForm>(
-      with_textures("blob { threshold 0.6 sphere { x, 2, strength 1.5 scale 2 texture { A } translate y } "
-                    "cylinder { 0, y, 0.5, -1 pigment { color rgb x } finish { phong 1 } } component 1, 2, <1, 2, 3> "
-                    "sturm hierarchy off }"));
-  EXPECT_EQ(form.threshold, 0.6);
-  ASSERT_EQ(form.components.size(), 3u);
-  const auto& sphere = form.components[0];
-  EXPECT_EQ(sphere.kind, render::BlobForm::Component::Kind::sphere);
-  EXPECT_EQ(sphere.center, Vec3(1, 0, 0));
-  EXPECT_EQ(sphere.radius, 2.0);
-  EXPECT_EQ(sphere.strength, 1.5);
-  EXPECT_EQ(sphere.placement.point(Vec3(1, 0, 0)), Vec3(2, 1, 0));
-  EXPECT_TRUE(sphere.texture);
-  const auto& cylinder = form.components[1];
-  EXPECT_EQ(cylinder.kind, render::BlobForm::Component::Kind::cylinder);
-  EXPECT_EQ(cylinder.end, Vec3(0, 1, 0));
-  EXPECT_EQ(cylinder.strength, -1.0);
-  EXPECT_EQ(cylinder.texture->layers.front().finish->phong, 1.0);
-  EXPECT_EQ(form.components[2].center, Vec3(1, 2, 3));
-  EXPECT_EQ(form.components[2].strength, 1.0);
-  EXPECT_EQ(form.components[2].radius, 2.0);
-  EXPECT_FALSE(form.components[2].texture);
+  const render::Object object =
+      object_of(with_textures("blob { threshold 0.6 sphere { x, 2, strength 1.5 scale 2 texture { A } translate y } "
+                              "cylinder { 0, y, 0.5, -1 pigment { color rgb x } finish { phong 1 } } "
+                              "component 1, 2, <11, 12, 13> sturm hierarchy off }"));
+  ASSERT_EQ(object.extras->shape_textures.size(), 2u);
+  EXPECT_EQ(object.extras->shape_textures[1]->layers.front().finish->phong, 1.0);
+  EXPECT_TRUE(object.shape->inside(Vec3(2, 1, 0) + Vec3(1, 0, 0)));
+  EXPECT_TRUE(object.shape->inside(Vec3(11, 12, 13)));
+  EXPECT_FALSE(object.shape->inside(Vec3(11, 12, 13) + Vec3(1.3, 0, 0)));
+  std::vector<render::TextureShare> shares;
+  object.shape->textures(Vec3(11, 12, 13), {}, shares);
+  ASSERT_EQ(shares.size(), 1u);
+  EXPECT_EQ(shares[0].texture, render::kObjectTexture);
+  shares.clear();
+  object.shape->textures(Vec3(3, 1, 0), {}, shares);
+  ASSERT_EQ(shares.size(), 1u);
+  EXPECT_EQ(shares[0].texture, 0u);
 }
 
 TEST(ParseForm, BlobNeedsAComponentWithLength) {
@@ -260,7 +255,7 @@ TEST(ParseForm, BlobNeedsAComponentWithLength) {
 
 TEST(ParseForm, DegenerateShapesOfGuessedNumbersAreLeftOut) {
   const auto result = described(
-      "#declare B = blob { sphere { 0, 2, 1 } } #declare P = trace(B, 5*y, -y); cylinder { P, trace(B, 5*y, -y), 1 } "
+      "#declare B = ovus { 1, 0.5 } #declare P = trace(B, 5*y, -y); cylinder { P, trace(B, 5*y, -y), 1 } "
       "blob { #if (inside(B, 5)) sphere { 0, 1, 1 } #end } sphere { 0, 1 }");
   EXPECT_EQ(errors(result), "");
   EXPECT_NE(warnings(result).find("'cylinder' has no length"), std::string::npos);
@@ -268,21 +263,21 @@ TEST(ParseForm, DegenerateShapesOfGuessedNumbersAreLeftOut) {
 }
 
 TEST(ParseForm, DescribedShapeSaysThatItCannotBeRenderedWhereItIsUsed) {
-  const auto unused = load("#declare B = blob { sphere { 0, 1, 1 } } sphere { 0, 1 }");
+  const auto unused = load("#declare B = ovus { 1, 0.5 } sphere { 0, 1 }");
   EXPECT_TRUE(unused.scene);
-  const auto used = load("#declare B = blob { sphere { 0, 1, 1 } }\nobject { B }");
+  const auto used = load("#declare B = ovus { 1, 0.5 }\nobject { B }");
   EXPECT_FALSE(used.scene);
-  EXPECT_NE(errors(used).find("'blob' cannot be rendered"), std::string::npos);
+  EXPECT_NE(errors(used).find("'ovus' cannot be rendered"), std::string::npos);
   EXPECT_EQ(used.summary.objects, 1u);
 }
 
 TEST(ParseForm, DescribedShapeTakesModifiersAsAnyObject) {
   const render::Object object =
-      object_of("prism { 0, 1, 4, <0, 0>, <1, 0>, <0, 1>, <0, 0> rotate 90*x inverse hollow }");
+      object_of("ovus { 1, 0.5 rotate 90*x inverse hollow }");
   EXPECT_TRUE(object.inverted);
   EXPECT_EQ(object.hollow, render::Object::Hollow::yes);
-  EXPECT_EQ(object.word, "prism");
-  EXPECT_EQ(spelled(object.extras->unrendered), "prism");
+  EXPECT_EQ(object.word, "ovus");
+  EXPECT_EQ(spelled(object.extras->unrendered), "ovus");
 }
 
 }  // namespace

@@ -96,7 +96,7 @@ TEST(UserFunction, IsHandedOnByName) {
 
 TEST(ObjectFunction, WhatIsOnlyDescribedIsAnsweredSomehowAndRefusedForRendering) {
   const std::string text =
-      "#declare B = blob { threshold 0.5 sphere { 0, 1, 1 } }"
+      "#declare B = ovus { 1, 0.5 }"
       "#declare P = trace(B, -5*z, z) + max_extent(B)*2 + inside(B, 0);";
   EXPECT_EQ(errors(load(text + " sphere { P, 1 }")),
             "'trace' cannot be rendered by this version of Firstlight\n"

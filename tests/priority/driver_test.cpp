@@ -120,7 +120,7 @@ TEST(Driver, AllWorkersRestAtCheckpoints) {
 }
 
 TEST(Driver, EndsAtTheErrorThatIsAskedFor) {
-  MirrorRoom room(/*depth=*/3);
+  MirrorRoom room(/*depth=*/3, /*glass=*/0, /*max_trace_level=*/30);  // not done before the first look at the error
   TraceOptions options;
   options.stop_at_error = 1e9;
   const Rendered at_once = render_with(room, "contribution", 1, options);
