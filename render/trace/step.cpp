@@ -222,7 +222,7 @@ Rgb Stepper::passing_light(std::uint32_t medium, Ray ray, double distance, bool 
       asked_->at.set(0, point);
       asked_->direction.set(0, ray.direction);
       const Interior& interior = scene.interiors[part.interior];
-      asked_->on_surface = interior.caustics != 0.0 || table_->even_coat(texture) == nullptr;
+      asked_->on_surface = interior.caustics != 0.0;
       if (asked_->on_surface) {
         const Vec3 normal = hit.shape->normal(point, {hit.depth, hit.shape, hit.part, hit.face});
         asked_->normal.set(0, normal.dot(ray.direction) > 0.0 ? -normal : normal);
