@@ -100,7 +100,8 @@ void unpack(Bytes& bytes, Raster::Bytes& pixels) {
       text[length++] = first;
       rest = former;
     }
-    for (; rest > end; rest = before[static_cast<std::size_t>(rest)]) text[length++] = last[static_cast<std::size_t>(rest)];
+    for (; rest > end; rest = before[static_cast<std::size_t>(rest)])
+      text[length++] = last[static_cast<std::size_t>(rest)];
     first = static_cast<std::uint8_t>(rest);
     text[length++] = first;
     if (former >= 0 && next < kMostCodes) {
@@ -131,7 +132,8 @@ void straighten(Raster& raster) {
 }  // namespace
 
 bool is_gif(FileBytes file) {
-  return file.size() >= 13 && (std::memcmp(file.data(), "GIF87a", 6) == 0 || std::memcmp(file.data(), "GIF89a", 6) == 0);
+  return file.size() >= 13 &&
+         (std::memcmp(file.data(), "GIF87a", 6) == 0 || std::memcmp(file.data(), "GIF89a", 6) == 0);
 }
 
 Raster read_gif(FileBytes file) {

@@ -86,7 +86,8 @@ float light_of(std::uint8_t mantissa, double step) { return static_cast<float>((
 }  // namespace
 
 bool is_hdr(FileBytes file) {
-  return file.size() >= 10 && (std::memcmp(file.data(), "#?RADIANCE", 10) == 0 || std::memcmp(file.data(), "#?RGBE", 6) == 0);
+  return file.size() >= 10 &&
+         (std::memcmp(file.data(), "#?RADIANCE", 10) == 0 || std::memcmp(file.data(), "#?RGBE", 6) == 0);
 }
 
 Raster read_hdr(FileBytes file) {

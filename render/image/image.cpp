@@ -6,12 +6,12 @@
 
 namespace firstlight::render {
 
-Image::Image(Raster raster, const Transcoding& to_scene, const ImageKind& kind) : raster_(std::move(raster)), kind_(kind) {
+Image::Image(Raster raster, const Transcoding& to_scene, const ImageKind& kind)
+    : raster_(std::move(raster)), kind_(kind) {
   const auto white = static_cast<float>(raster_.white);
   for (const Raster::Color& color : raster_.palette) {
     const auto channel = [&](std::size_t i) { return to_scene(static_cast<float>(color[i]) / 255.0f); };
-    palette_.push_back(
-        {{channel(0), channel(1), channel(2)}, 0.0f, 1.0f - static_cast<float>(color[3]) / 255.0f});
+    palette_.push_back({{channel(0), channel(1), channel(2)}, 0.0f, 1.0f - static_cast<float>(color[3]) / 255.0f});
     opaque_ = opaque_ && color[3] == 255;
   }
   if (is_indexed()) {

@@ -11,7 +11,7 @@ namespace firstlight::render {
 
 /// What of a file's colours and its alpha is to be known beside its numbers.
 struct ImageKind {
-  bool is_premultiplied = false;    ///< the file's colours are multiplied by alpha
+  bool is_premultiplied = false;      ///< the file's colours are multiplied by alpha
   bool blends_premultiplied = false;  ///< neighbours are blended as colours that are
   /// The colours of grey files with 8 bits are kept in 8 bits when they have become those of the scene. [POV-Ray 3.7, of PNG]
   bool quantizes_grey = false;

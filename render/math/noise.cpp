@@ -122,17 +122,18 @@ inline void visit_corners(const Vec3& p, const Visit& visit) {
   const std::array<double, 4> weight_xy = {(1.0 - to_x) * (1.0 - to_y), to_x * (1.0 - to_y), (1.0 - to_x) * to_y,
                                            to_x * to_y};
   const std::array<double, 2> weight_z = {1.0 - to_z, to_z};
-  const std::array<double, 2> way_x = {x.from, x.from - 1.0}, way_y = {y.from, y.from - 1.0}, way_z = {z.from, z.from - 1.0};
+  const std::array<double, 2> way_x = {x.from, x.from - 1.0}, way_y = {y.from, y.from - 1.0},
+                              way_z = {z.from, z.from - 1.0};
   std::array<unsigned, 4> column{};
   for (unsigned i = 0; i < 4; ++i) column[i] = tables.column(x.point + (i & 1), y.point + (i >> 1));
   const auto visit_corner = [&]<unsigned corner>(std::integral_constant<unsigned, corner>) {
     constexpr unsigned i = corner & 3, up = corner >> 2;
-    visit(tables, column[i], z.point + up, weight_xy[i] * weight_z[up],
-          Vec3(way_x[i & 1], way_y[i >> 1], way_z[up]));
+    visit(tables, column[i], z.point + up, weight_xy[i] * weight_z[up], Vec3(way_x[i & 1], way_y[i >> 1], way_z[up]));
   };
   [&]<std::size_t... k>(std::index_sequence<k...>) {
     (visit_corner(std::integral_constant<unsigned, kOrder[k]>()), ...);
-  }(std::make_index_sequence<8>());
+  }
+  (std::make_index_sequence<8>());
 }
 
 // Sums depend on their order in the last digit, and POV-Ray goes about the corners in two ways.
@@ -145,10 +146,8 @@ double linear(const double* c, double weight, const Vec3& way) {
 
 double lattice_noise(const Vec3& point) {
   double sum = 0.0;
-  visit_corners<kByRows>(
-      point, [&](const LatticeTables& tables, unsigned column, unsigned z, double weight, const Vec3& way) {
-        sum += linear(tables.coefficients(column, z), weight, way);
-      });
+  visit_corners<kByRows>(point, [&](const LatticeTables& tables, unsigned column, unsigned z, double weight,
+                                    const Vec3& way) { sum += linear(tables.coefficients(column, z), weight, way); });
   return sum;
 }
 

@@ -97,7 +97,9 @@ bool ImageMap::lets_light_through() const {
   return !image_->is_opaque();
 }
 
-bool lets_light_through(const std::shared_ptr<const ImageUse>& use) { return !use || ImageMap(use).lets_light_through(); }
+bool lets_light_through(const std::shared_ptr<const ImageUse>& use) {
+  return !use || ImageMap(use).lets_light_through();
+}
 
 std::optional<ImageMap::Place> ImageMap::place(const Vec3& point) const {
   if (!image_) return std::nullopt;
@@ -205,8 +207,8 @@ ImageMap::Sample ImageMap::blended(const Place& place, bool premultiplied) const
 ImageMap::Sample ImageMap::sample(const Place& place, bool premultiplied) const {
   // Colours that are multiplied by alpha are blended so, whichever are asked for.
   const bool blends = premultiplied || image_->kind().blends_premultiplied;
-  Sample sample = use_->interpolation == ImageUse::Interpolation::none ? pixel(place.x, place.y, blends)
-                                                                       : blended(place, blends);
+  Sample sample =
+      use_->interpolation == ImageUse::Interpolation::none ? pixel(place.x, place.y, blends) : blended(place, blends);
   if (blends && !premultiplied) {
     const float alpha = 1.0f - sample.color.transmit;
     if (static_cast<double>(alpha) > kNoAlpha) sample.color.rgb /= alpha;

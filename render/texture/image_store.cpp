@@ -24,9 +24,9 @@ Format format_of(const ImageSource& source) {
   std::ranges::transform(extension, extension.begin(),
                          [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
   static constexpr std::pair<std::string_view, Format> kExtensions[] = {
-      {".bmp", Format::bmp},  {".exr", Format::exr},  {".gif", Format::gif}, {".hdr", Format::hdr},
+      {".bmp", Format::bmp},  {".exr", Format::exr},  {".gif", Format::gif},   {".hdr", Format::hdr},
       {".iff", Format::iff},  {".jpg", Format::jpeg}, {".jpeg", Format::jpeg}, {".pgm", Format::pgm},
-      {".png", Format::png},  {".ppm", Format::ppm},  {".tga", Format::tga}, {".tif", Format::tiff},
+      {".png", Format::png},  {".ppm", Format::ppm},  {".tga", Format::tga},   {".tif", Format::tiff},
       {".tiff", Format::tiff}};
   for (const auto& [name, format] : kExtensions) {
     if (extension == name) return format;
@@ -105,7 +105,8 @@ Raster painted(const ImageSource& source, int noise_generator, std::string& erro
   raster.white = 65535;
   raster.channels = function.result_count() == 1 ? 1 : 4;
   auto& samples = raster.samples.emplace<Raster::Words>();
-  samples.reserve(std::size_t{source.columns} * source.rows * static_cast<std::size_t>(raster.channels));
+  const std::size_t count = std::size_t{source.columns} * source.rows * static_cast<std::size_t>(raster.channels);
+  samples.reserve(count);
   Evaluation evaluation;
   evaluation.noise_generator = noise_generator;
   double results[Function::kMostResults] = {};
@@ -122,7 +123,7 @@ Raster painted(const ImageSource& source, int noise_generator, std::string& erro
     if (evaluation.steps_left == 0) error = "the loops in its function take too long";
     if (!error.empty()) return {};
   }
-  samples.resize(samples.capacity());
+  samples.resize(count);  // where it was left early
   return raster;
 }
 

@@ -38,9 +38,8 @@ PatternPtr pattern::make_function(const PatternRequest& request) {
 }
 
 PatternPtr pattern::make_object(const PatternRequest& request) {
-  return make_field([inside = request.get<ObjectParameters>().inside](const Vec3& p) {
-    return inside && inside(p) ? 1.0 : 0.0;
-  });
+  return make_field(
+      [inside = request.get<ObjectParameters>().inside](const Vec3& p) { return inside && inside(p) ? 1.0 : 0.0; });
 }
 
 PatternPtr pattern::make_density_file(const PatternRequest& request) {

@@ -74,13 +74,27 @@ struct Complex {
   double a = 0.0, b = 0.0;
 };
 
-/// z^n with the sums in POV-Ray's order for the exponents that it has formulas of their own for; the binomial formula
-/// for the rest.
-Complex power(const Complex& z, int exponent) {
-  const double a = z.a, b = z.b, a2 = a * a, b2 = b * b;
-  if (exponent == 2) return {a2 - b2, 2.0 * a * b};
-  if (exponent == 3) return {a2 * a - 3.0 * a * b2, 3.0 * a2 * b - b2 * b};
-  if (exponent == 4) return {a2 * a2 - 6.0 * a2 * b2 + b2 * b2, 4.0 * (a2 * a * b - a * b2 * b)};
+// z^n with the sums in POV-Ray's order for the exponents that it has formulas of their own for; the binomial formula for
+// the rest. The squares of z's parts are given, for the distance asks for them too.
+struct Square {
+  Complex operator()(double a, double b, double a2, double b2) const { return {a2 - b2, 2.0 * a * b}; }
+};
+struct Cube {
+  Complex operator()(double a, double b, double a2, double b2) const {
+    return {a2 * a - 3.0 * a * b2, 3.0 * a2 * b - b2 * b};
+  }
+};
+struct Fourth {
+  Complex operator()(double a, double b, double a2, double b2) const {
+    return {a2 * a2 - 6.0 * a2 * b2 + b2 * b2, 4.0 * (a2 * a * b - a * b2 * b)};
+  }
+};
+struct AnyPower {
+  int exponent;
+  Complex operator()(double a, double b, double a2, double b2) const;
+};
+
+Complex AnyPower::operator()(double a, double b, double /*a2*/, double /*b2*/) const {
   Complex sum;
   double coefficient = 1.0;  // of a^(n-k) b^k, without its sign
   for (int k = 0; k <= exponent; ++k) {
@@ -93,21 +107,38 @@ Complex power(const Complex& z, int exponent) {
 }
 
 /// Rounds of z -> z^n + c, left beyond a distance of 2.
-Orbit power_orbit(const FractalParameters& fractal, Complex z, const Complex& c) {
+template <class Power>
+Orbit power_orbit(int most_rounds, const Complex& z, const Complex& c, const Power& power) {
   constexpr double kFar = 4.0;
-  Orbit orbit;
-  orbit.nearest = z.a * z.a + z.b * z.b;
-  for (; orbit.rounds < fractal.iterations; ++orbit.rounds) {
-    const Complex next = power(z, fractal.exponent);
-    z = {next.a + c.a, next.b + c.b};
-    const double distance = z.a * z.a + z.b * z.b;
-    orbit.nearest = std::min(orbit.nearest, distance);
-    orbit.left = distance > kFar;
-    if (orbit.left || is_interrupted(orbit.rounds)) break;
+  double a = z.a, b = z.b, a2 = a * a, b2 = b * b;
+  double nearest = a2 + b2;
+  bool left = false;
+  int rounds = 0;
+  for (; rounds < most_rounds; ++rounds) {
+    const Complex next = power(a, b, a2, b2);
+    a = next.a + c.a;
+    b = next.b + c.b;
+    a2 = a * a;
+    b2 = b * b;
+    const double distance = a2 + b2;
+    nearest = std::min(nearest, distance);
+    left = distance > kFar;
+    if (left || is_interrupted(rounds)) break;
   }
-  orbit.a = z.a;
-  orbit.b = z.b;
-  return orbit;
+  return {a, b, nearest, rounds, left};
+}
+
+Orbit power_orbit(const FractalParameters& fractal, const Complex& z, const Complex& c) {
+  switch (fractal.exponent) {
+    case 2:
+      return power_orbit(fractal.iterations, z, c, Square());
+    case 3:
+      return power_orbit(fractal.iterations, z, c, Cube());
+    case 4:
+      return power_orbit(fractal.iterations, z, c, Fourth());
+    default:
+      return power_orbit(fractal.iterations, z, c, AnyPower{fractal.exponent});
+  }
 }
 
 /// ((z^2 + c - 1) / (2 z + c - 2))^2, before the square.

@@ -10,7 +10,7 @@ bool is_opaque(const Texture& texture) {
     if (!layer.extras->patterned) return !lets_light_through(layer.pigment);
     const TexturePattern& pattern = *layer.extras->patterned;
     const auto* const laid = std::get_if<ImageParameters>(&pattern.pattern.parameters);
-    return !pattern.textures->translucent && !(laid != nullptr && laid->image->once);
+    return !pattern.textures->translucent && !(laid != nullptr && laid->image && laid->image->once);
   });
 }
 

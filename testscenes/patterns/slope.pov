@@ -13,4 +13,5 @@ Ball(3, 0, texture { pigment { slope { point_at <0, 0, -3> } color_map { Map } }
 Ball(0, 1, texture { pigment { slope -z color_map { Map } frequency 2 } normal { bumps 0.6 scale 0.2 } })
 Ball(1, 1, texture { slope y texture_map { [0.5 pigment { rgb x }] [0.6 pigment { slope x color_map { Map } }] } })
 Ball(2, 1, texture { pigment { slope y color_map { Map } rotate 60*z scale 2 } })
+Ball(3, 1, texture { pigment { slope y color_map { [0.3 rgbt <1, 0.5, 0.5, 0.9>] [0.7 rgbf <0.3, 0.9, 0.4, 1>] } } })
 plane { y, -1.6 pigment { slope y color_map { Map } } normal { dents 1 scale 0.5 } }
