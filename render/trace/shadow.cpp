@@ -95,7 +95,7 @@ bool Shadow::filter_light(const Hit& hit, const Ray& ray, Rgb& light) {
   Rgb sum(0.0f);
   for_each_texture(context_.scene, point, crossing, from_inside, worn_, [&](std::uint32_t texture, double share) {
     found = true;
-    ask_at(crossing, point, ray, part.uv_mapping || caustics != 0.0 || surfaces_.goes_by_uv(texture));
+    ask_at(crossing, point, ray, part.uv_mapping || caustics != 0.0 || surfaces_.even_coat(texture) == nullptr);
     if (part.uv_mapping) asked_->at.set(0, Vec3(asked_->u[0], asked_->v[0], 0.0));
     if (!part.has_shape_textures) return surfaces_.filter(texture, *asked_, {&light, 1}, caustics);
     Rgb tint(1.0f);
