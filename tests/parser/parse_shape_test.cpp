@@ -84,20 +84,20 @@ TEST(ParseShape, PlaneWithoutNormalIsAnError) {
 }
 
 TEST(ParseShape, ShapeThatCannotBeRenderedIsNamedAtItsPlace) {
-  const auto result = load_bare("camera { location -z }\n  blob { sphere { 0, 1, 1 } }\n");
+  const auto result = load_bare("camera { location -z }\n  ovus { 1, 0.5 }\n");
   ASSERT_FALSE(result.scene);
   const auto& error = result.diagnostics.back();
-  EXPECT_EQ(errors(result), "'blob' cannot be rendered by this version of Firstlight\n");
+  EXPECT_EQ(errors(result), "'ovus' cannot be rendered by this version of Firstlight\n");
   EXPECT_EQ(error.line, 2u);
   EXPECT_EQ(error.column, 3u);
 }
 
 TEST(ParseShape, ShapeThatCannotBeRenderedMayBeDeclared) {
   EXPECT_EQ(
-      errors(load("#declare Q = quadric { <1,0,0>, 0, 0, -1 } #declare D = intersection { object { Q } box { -1, 1 } }"
+      errors(load("#declare Q = ovus { 1, 0.5 } #declare D = intersection { object { Q } box { -1, 1 } }"
                   " sphere { 0, 1 }")),
       "");
-  EXPECT_NE(errors(load("#declare Q = quadric { <1,0,0>, 0, 0, -1 } object { Q }")).find("'quadric'"),
+  EXPECT_NE(errors(load("#declare Q = ovus { 1, 0.5 } object { Q }")).find("'ovus'"),
             std::string::npos);
 }
 
