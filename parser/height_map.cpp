@@ -3,6 +3,7 @@
 #include "render/image/image_io.h"
 #include "render/image/raster.h"
 #include "render/math/interrupt.h"
+#include "render/texture/image_store.h"
 
 #include <cmath>
 #include <cstddef>
@@ -86,7 +87,7 @@ void read_heights(const ImageSource& source, int noise_generator, render::Height
     field.rows = static_cast<int>(source.rows);
     if (field.columns >= 2 && field.rows >= 2) evaluate_heights(source, noise_generator, field);
   } else {
-    const Raster raster = render::read_raster(source.path, error, render::Palette::keep);
+    const Raster raster = render::read_raster(source, error);
     if (!error.empty()) return;
     field.columns = raster.width;
     field.rows = raster.height;

@@ -114,9 +114,8 @@ render::FunctionPtr parse_internal(Reader& reader, const Token& word) {
 }
 
 /// What the scene has said of patterns so far.
-render::PatternWorld pattern_world(const SceneContext& context) {
-  const render::Settings& settings = context.builder.settings();
-  return {settings.noise_generator, settings.number_of_waves};
+render::PatternWorld pattern_world(Reader& reader, const SceneContext& context) {
+  return {reader.interpreter().language().noise_generator(), context.builder.settings().number_of_waves};
 }
 
 /// What may stand in a function's block instead of an expression. Null: none of it.
@@ -138,11 +137,11 @@ render::FunctionPtr parse_special(Reader& reader, SceneContext& context) {
     case Keyword::pattern:
       reader.take();
       return render::make_pattern_function(parse_pigment(reader, context, word, render::Pigment()).pattern,
-                                           pattern_world(context));
+                                           pattern_world(reader, context));
     case Keyword::pigment:
       reader.take();
       return render::make_pigment_function(parse_pigment(reader, context, word, render::Pigment()),
-                                           pattern_world(context));
+                                           pattern_world(reader, context));
     default:
       return nullptr;
   }

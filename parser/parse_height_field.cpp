@@ -1,4 +1,5 @@
 #include "parser/height_map.h"
+#include "parser/interpreter.h"
 #include "parser/parse_common.h"
 #include "parser/parse_form.h"
 #include "parser/parse_image.h"
@@ -25,7 +26,7 @@ void parse_height_field(Reader& reader, SceneContext& context, const Token& word
     }
   }
   std::string error;
-  read_heights(image, context.builder.settings().noise_generator, field, error);
+  read_heights(image, reader.interpreter().language().noise_generator(), field, error);
   if (!error.empty()) reader.fail(word, "the picture of 'height_field' cannot be used: " + error);
   object.shape = render::make_height_field(std::move(field));
 }

@@ -47,6 +47,25 @@ void resolve_palette(Raster& raster) {
   raster.samples = std::move(colors);
 }
 
+bool join_potential(Raster& raster) {
+  const auto* const indices = std::get_if<Raster::Bytes>(&raster.samples);
+  if (indices == nullptr || raster.palette.empty() || raster.width % 2 != 0) return false;
+  const std::size_t half = static_cast<std::size_t>(raster.width) / 2;
+  Raster::Words words;
+  words.reserve(indices->size() / 2);
+  for (std::size_t row = 0; row < indices->size(); row += 2 * half) {
+    for (std::size_t x = row; x < row + half; ++x) {
+      words.push_back(static_cast<std::uint16_t>((*indices)[x] << 8 | (*indices)[x + half]));
+    }
+  }
+  raster.width /= 2;
+  raster.channels = 1;
+  raster.white = 65535;
+  raster.samples = std::move(words);
+  raster.palette.clear();
+  return true;
+}
+
 Picture to_picture(Raster raster) {
   assert(raster.palette.empty());
   Picture picture{raster.width, raster.height, {}};

@@ -5,6 +5,7 @@
 #include "render/scene/region.h"
 #include "render/scene/texture_table.h"
 #include "render/scene/walk_members.h"
+#include "render/shape/plane.h"
 
 #include <algorithm>
 #include <cstddef>
@@ -73,6 +74,16 @@ bool is_empty(const ObjectList& list) { return !list || list->empty(); }
 
 bool has_surface(const Solid& solid) {
   return solid.kind == Solid::Kind::shape || std::ranges::any_of(solid.members(), has_surface);
+}
+
+/// Whether POV-Ray takes bounds of such a shape for unnecessary: it knows where the shape ends, or takes it for a plane.
+bool needs_no_bounds(const Shape& shape) {
+  if (dynamic_cast<const Plane*>(&shape) != nullptr) return true;
+  const Box3 box = shape.bounds();
+  for (int axis = 0; axis < 3; ++axis) {
+    if (box.min[axis] > -kBoundless || box.max[axis] < kBoundless) return true;
+  }
+  return false;
 }
 
 bool has_form(const Object& object) {
@@ -300,7 +311,8 @@ bool SceneBuilder::State::freeze(const Object& object, const Inherited& parent, 
     note_region(object.extras->clipped_by);
     note_region(object.extras->bounded_by);
     solid.set_clips(regions(clips_of(object), node.to_world));
-    const bool drops_bounds = bounding.remove_bounds && top_level && object.kind == Object::Kind::shape;
+    const bool drops_bounds =
+        bounding.remove_bounds && top_level && object.kind == Object::Kind::shape && needs_no_bounds(*object.shape);
     if (!drops_bounds) solid.set_bounds(bounding_regions(bounds_of(object), node.to_world));
   }
   solid.close();

@@ -38,19 +38,33 @@ QuadricParameters quadric_of(const Mat4& m) {
   return q;
 }
 
-/// Where a quadric along the axes lies: ellipsoids, and cylinders of elliptic section. Others have no end.
+/// Where a quadric along the axes lies: ellipsoids, cylinders of elliptic section, and the half space of elliptic
+/// paraboloids. Others have no end.
 Box3 box_of(const QuadricParameters& q) {
   Box3 box = boundless_box();
   if (q.mixed != Vec3(0.0)) return box;
   double level = -q.constant;
   double sign = 0.0;
+  int squares = 0;
+  int slope_axis = -1;
   for (int axis = 0; axis < 3; ++axis) {
     const double a = q.square[axis];
-    if (a == 0.0 && q.linear[axis] != 0.0) return box;
+    if (a == 0.0 && q.linear[axis] != 0.0) {
+      if (slope_axis >= 0) return box;
+      slope_axis = axis;
+    }
     if (a == 0.0) continue;
     if (sign * a < 0.0) return box;
     sign = a;
+    ++squares;
     level += q.linear[axis] * q.linear[axis] / (4.0 * a);
+  }
+  if (slope_axis >= 0) {
+    if (squares < 2) return box;
+    // sum of a (x - m)^2 = level - slope * y
+    const double slope = q.linear[slope_axis];
+    (slope * sign > 0.0 ? box.max : box.min)[slope_axis] = level / slope;
+    return box;
   }
   for (int axis = 0; axis < 3; ++axis) {
     const double a = q.square[axis];

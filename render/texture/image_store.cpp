@@ -26,8 +26,8 @@ Format format_of(const ImageSource& source) {
   static constexpr std::pair<std::string_view, Format> kExtensions[] = {
       {".bmp", Format::bmp},  {".exr", Format::exr},  {".gif", Format::gif},   {".hdr", Format::hdr},
       {".iff", Format::iff},  {".jpg", Format::jpeg}, {".jpeg", Format::jpeg}, {".pgm", Format::pgm},
-      {".png", Format::png},  {".ppm", Format::ppm},  {".tga", Format::tga},   {".tif", Format::tiff},
-      {".tiff", Format::tiff}};
+      {".png", Format::png},  {".pot", Format::pot},  {".ppm", Format::ppm},   {".tga", Format::tga},
+      {".tif", Format::tiff}, {".tiff", Format::tiff}};
   for (const auto& [name, format] : kExtensions) {
     if (extension == name) return format;
   }
@@ -145,6 +145,14 @@ bool ImageStore::take_room(std::uint64_t bytes, std::string& error) {
   return true;
 }
 
+Raster read_raster(const ImageSource& source, std::string& error) {
+  Raster raster = read_raster(source.path, error, Palette::keep);
+  if (error.empty() && format_of(source) == Format::pot && !join_potential(raster)) {
+    error = "it is no continuous potential: that has a palette and an even width";
+  }
+  return raster;
+}
+
 std::shared_ptr<const Image> ImageStore::load(const ImageSource& source, const ImageGamma& gamma, int noise_generator,
                                               std::string& error) {
   if (source.function) {
@@ -167,7 +175,7 @@ std::shared_ptr<const Image> ImageStore::load(const ImageSource& source, const I
   }
   const std::string key = key_of(source, gamma);
   if (const auto known = images_.find(key); known != images_.end()) return known->second;
-  Raster raster = read_raster(source.path, error, Palette::keep);
+  Raster raster = read_raster(source, error);
   if (!error.empty() || !take_room(bytes_of(raster), error)) return nullptr;
   const Transcoding curve = transcoding(source, raster.gamma, gamma);
   auto image = std::make_shared<const Image>(std::move(raster), curve, kind_of(source));

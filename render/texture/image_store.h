@@ -20,6 +20,9 @@ struct ImageGamma {
   TransferCurve scene;
 };
 
+/// A picture's file as it is; of a continuous potential its grey of 16 bits. An `error` says why not in plain words.
+Raster read_raster(const ImageSource& source, std::string& error);
+
 /// The pictures of a scene, each read once.
 ///
 /// Memory   Pictures are kept as long as the store or their users; all together have at most kMostBytes of pixels.
