@@ -7,6 +7,7 @@
 
 #include <cmath>
 #include <cstddef>
+#include <cstdint>
 
 namespace firstlight::parser {
 
@@ -85,6 +86,10 @@ void read_heights(const ImageSource& source, int noise_generator, render::Height
   if (source.function) {
     field.columns = static_cast<int>(source.columns);
     field.rows = static_cast<int>(source.rows);
+    if (std::int64_t{field.columns} * field.rows > render::kMostPixels) {
+      error = "it has too many rows and columns";
+      return;
+    }
     if (field.columns >= 2 && field.rows >= 2) evaluate_heights(source, noise_generator, field);
   } else {
     const Raster raster = render::read_raster(source, error);

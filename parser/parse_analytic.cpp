@@ -2,6 +2,7 @@
 #include "parser/parse_common.h"
 #include "parser/parse_form.h"
 #include "parser/parse_shape.h"
+#include "render/shape/ovus.h"
 #include "render/shape/poly.h"
 #include "render/shape/primitives.h"
 #include "render/shape/quadric.h"
@@ -184,15 +185,14 @@ ShapePtr parse_superellipsoid(Reader& reader, const Token&) {
   return render::make_superellipsoid(exponents.x, exponents.y);
 }
 
-void parse_ovus(Reader& reader, SceneContext&, const Token& word, Object& object) {
-  render::OvusForm form;
-  form.bottom_radius = finite_number(reader, "radius of 'ovus'");
+ShapePtr parse_ovus(Reader& reader, const Token& word) {
+  const double bottom = finite_number(reader, "radius of 'ovus'");
   reader.skip_comma();
-  form.top_radius = finite_number(reader, "radius of 'ovus'");
-  if (form.bottom_radius < 0.0 || form.top_radius < 0.0) reader.fail(word, "the radii of 'ovus' must be positive");
-  if (form.top_radius < 2.0 * form.bottom_radius) return set_form(object, form);
+  const double top = finite_number(reader, "radius of 'ovus'");
+  if (bottom < 0.0 || top < 0.0) reader.fail(word, "the radii of 'ovus' must be positive");
+  if (top < 2.0 * bottom) return render::make_ovus(bottom, top);
   reader.warn(word, "the second radius of 'ovus' is not less than twice the first; the shape is a sphere");
-  object.shape = render::make_sphere(Vec3(0.0, form.bottom_radius, 0.0), form.top_radius);
+  return render::make_sphere(Vec3(0.0, bottom, 0.0), top);
 }
 
 void parse_julia_fractal(Reader& reader, SceneContext&, const Token& word, Object& object) {

@@ -6,7 +6,6 @@ namespace {
 // Overloads rather than a table by index: the variant may get a new alternative anywhere.
 Feature feature(const IsosurfaceForm&) { return Feature::isosurface; }
 Feature feature(const JuliaFractalForm&) { return Feature::julia_fractal; }
-Feature feature(const OvusForm&) { return Feature::ovus; }
 Feature feature(const ParametricForm&) { return Feature::parametric; }
 Feature feature(const SphereSweepForm&) { return Feature::sphere_sweep; }
 

@@ -11,7 +11,7 @@ namespace firstlight::render {
 
 /// A shape as it is described. Immutable once it is part of an Object, and shared by its copies.
 struct Form {
-  std::variant<IsosurfaceForm, JuliaFractalForm, OvusForm, ParametricForm, SphereSweepForm> shape;
+  std::variant<IsosurfaceForm, JuliaFractalForm, ParametricForm, SphereSweepForm> shape;
 };
 
 /// What must be rendered to show it.

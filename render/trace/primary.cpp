@@ -40,7 +40,7 @@ void PrimaryRays::append_block(std::span<const PrimaryPlace> places, PrimaryBatc
       batch.dark.push_back(places[i].sample);
       continue;
     }
-    const Ray& ray = batch.rays.emplace_back(rays.origin.vector(i), unit(rays.direction.vector(i)));
+    const Ray& ray = batch.rays.emplace_back(Ray{rays.origin.vector(i), unit(rays.direction.vector(i))});
     RayTask& task = batch.tasks.emplace_back(unmade_);
     task.origin = ray.origin;
     task.medium = medium_.of(ray.origin);

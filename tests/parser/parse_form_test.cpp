@@ -63,9 +63,9 @@ TEST(ParseForm, SuperellipsoidTakesTwoExponents) {
 }
 
 TEST(ParseForm, OvusWithATooLargeTopIsASphere) {
-  const auto form = form_of<render::OvusForm>("ovus { 1, 0.75 }");
-  EXPECT_EQ(form.bottom_radius, 1.0);
-  EXPECT_EQ(form.top_radius, 0.75);
+  const auto egg = object_of("ovus { 1, 0.75 }").shape;
+  EXPECT_EQ(egg->bounds().min.y, -1.0);
+  EXPECT_EQ(egg->bounds().max.y, 1.75);
   const ParsedObject sphere = parsed_object("ovus { 1, 3 }");
   EXPECT_NE(sphere.warnings.find("the shape is a sphere"), std::string::npos);
   EXPECT_TRUE(sphere.object->shape);
@@ -255,7 +255,7 @@ TEST(ParseForm, BlobNeedsAComponentWithLength) {
 
 TEST(ParseForm, DegenerateShapesOfGuessedNumbersAreLeftOut) {
   const auto result = described(
-      "#declare B = ovus { 1, 0.5 } #declare P = trace(B, 5*y, -y); cylinder { P, trace(B, 5*y, -y), 1 } "
+      "#declare B = julia_fractal { <-0.08, 0, -0.8, -0.02> } #declare P = trace(B, 5*y, -y); cylinder { P, trace(B, 5*y, -y), 1 } "
       "blob { #if (inside(B, 5)) sphere { 0, 1, 1 } #end } sphere { 0, 1 }");
   EXPECT_EQ(errors(result), "");
   EXPECT_NE(warnings(result).find("'cylinder' has no length"), std::string::npos);
@@ -263,21 +263,21 @@ TEST(ParseForm, DegenerateShapesOfGuessedNumbersAreLeftOut) {
 }
 
 TEST(ParseForm, DescribedShapeSaysThatItCannotBeRenderedWhereItIsUsed) {
-  const auto unused = load("#declare B = ovus { 1, 0.5 } sphere { 0, 1 }");
+  const auto unused = load("#declare B = julia_fractal { <-0.08, 0, -0.8, -0.02> } sphere { 0, 1 }");
   EXPECT_TRUE(unused.scene);
-  const auto used = load("#declare B = ovus { 1, 0.5 }\nobject { B }");
+  const auto used = load("#declare B = julia_fractal { <-0.08, 0, -0.8, -0.02> }\nobject { B }");
   EXPECT_FALSE(used.scene);
-  EXPECT_NE(errors(used).find("'ovus' cannot be rendered"), std::string::npos);
+  EXPECT_NE(errors(used).find("'julia_fractal' cannot be rendered"), std::string::npos);
   EXPECT_EQ(used.summary.objects, 1u);
 }
 
 TEST(ParseForm, DescribedShapeTakesModifiersAsAnyObject) {
   const render::Object object =
-      object_of("ovus { 1, 0.5 rotate 90*x inverse hollow }");
+      object_of("julia_fractal { <-0.08, 0, -0.8, -0.02> rotate 90*x inverse hollow }");
   EXPECT_TRUE(object.inverted);
   EXPECT_EQ(object.hollow, render::Object::Hollow::yes);
-  EXPECT_EQ(object.word, "ovus");
-  EXPECT_EQ(spelled(object.extras->unrendered), "ovus");
+  EXPECT_EQ(object.word, "julia_fractal");
+  EXPECT_EQ(spelled(object.extras->unrendered), "julia_fractal");
 }
 
 }  // namespace

@@ -147,12 +147,17 @@ TEST(ParseImage, FormatsAreWordsOrTheExtension) {
   using Format = render::ImageSource::Format;
   const std::pair<const char*, Format> formats[] = {
       {"", Format::by_name}, {"bmp", Format::bmp},   {"exr", Format::exr},   {"gif", Format::gif}, {"hdr", Format::hdr},
-      {"iff", Format::iff},  {"jpeg", Format::jpeg}, {"pgm", Format::pgm},   {"pot", Format::pot}, {"ppm", Format::ppm},
+      {"iff", Format::iff},  {"jpeg", Format::jpeg}, {"pgm", Format::pgm},   {"ppm", Format::ppm},
       {"sys", Format::sys},  {"tga", Format::tga},   {"tiff", Format::tiff}, {"png", Format::png}};
   for (const auto& [word, format] : formats) {
     const auto pigment = pigment_of("image_map { " + std::string(word) + " " + file.quoted() + " }");
     EXPECT_EQ(parameters<render::ImageParameters>(pigment.pattern).image->source.format, format) << word;
   }
+}
+
+TEST(ParseImage, ContinuousPotentialsHaveAPaletteAndAnEvenWidth) {
+  const PictureFile file("firstlight_parse_image.bin");
+  EXPECT_TRUE(says(pigment_error("image_map { pot " + file.quoted() + " }"), "it is no continuous potential"));
 }
 
 TEST(ParseImage, PatternsAndBumpsOfImagesTakeTheNumbersAsTheyAre) {

@@ -96,7 +96,7 @@ TEST(UserFunction, IsHandedOnByName) {
 
 TEST(ObjectFunction, WhatIsOnlyDescribedIsAnsweredSomehowAndRefusedForRendering) {
   const std::string text =
-      "#declare B = ovus { 1, 0.5 }"
+      "#declare B = julia_fractal { <-0.08, 0, -0.8, -0.02> }"
       "#declare P = trace(B, -5*z, z) + max_extent(B)*2 + inside(B, 0);";
   EXPECT_EQ(errors(load(text + " sphere { P, 1 }")),
             "'trace' cannot be rendered by this version of Firstlight\n"

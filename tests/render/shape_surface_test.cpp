@@ -5,6 +5,7 @@
 #include "render/shape/height_field.h"
 #include "render/shape/lathe.h"
 #include "render/shape/mesh.h"
+#include "render/shape/ovus.h"
 #include "render/shape/poly.h"
 #include "render/shape/polygon.h"
 #include "render/shape/prism.h"
@@ -264,6 +265,13 @@ TEST(Prism, OfALineIsABox) {
     const Vec3 p = rain.point(1.5);
     ASSERT_EQ(prism->inside(p), box->inside(p)) << p;
   }
+}
+
+TEST(Ovus, IsAClosedSolid) {
+  check_closed_solid(make_ovus(1.0, 0.6), 1);
+  check_closed_solid(make_ovus(0.8, 1.1), 2);
+  check_placement(make_ovus(1.0, 0.5), uneven_placement(), 3);
+  expect_depths(make_ovus(1.0, 0.5), {Vec3(0, -5, 0), Vec3(0, 1, 0)}, {4.0, 6.5});
 }
 
 TEST(Polygon, HasHoles) {

@@ -8,13 +8,6 @@
 
 namespace firstlight::render {
 
-/// An egg around the y axis: a ball of `bottom_radius` at the origin, one of `top_radius` above it, and a part of a
-/// torus that joins them smoothly. Neither radius is 0; top_radius < 2 * bottom_radius.
-struct OvusForm {
-  double bottom_radius = 1.0;
-  double top_radius = 1.0;
-};
-
 /// What is iterated in a Julia set of four dimensions.
 enum class JuliaFunction : std::uint8_t {
   square,
