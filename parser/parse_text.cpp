@@ -1,4 +1,5 @@
 // `text`: a line of letters, each a shape of its own.
+#include "parser/interpreter.h"
 #include "parser/parse_common.h"
 #include "parser/parse_form.h"
 #include "parser/parse_image.h"

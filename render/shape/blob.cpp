@@ -194,7 +194,9 @@ struct Blob {
   }
 
   void meet(const Ray& given, Met& met) const {
-    const auto [length, ray] = UnitRay(given);
+    const UnitRay unit_ray(given);
+    const double length = unit_ray.length;
+    const Ray& ray = unit_ray.ray;
     thread_local std::vector<Change> changes;
     thread_local std::vector<Quartic> fields;  // of the elements whose field the ray is in
     changes.clear();

@@ -12,6 +12,7 @@ namespace firstlight::render {
 namespace {
 
 constexpr double kNearest = 1e-4;  ///< POV-Ray's for this shape
+constexpr double kLevel = 1e-7;    ///< the sine of rays that run level, to within rounding
 constexpr double kRoom = 1e-9;     ///< relative: the search goes this much beyond a segment's bounds
 
 /// The turned curve in its own space.
@@ -113,19 +114,25 @@ struct Lathe {
     const double dy2 = d.y * d.y;
     const std::array<double, 4> x = {s.d.x, s.c.x, s.b.x, s.a.x};
     const std::array<double, 4> y = {s.d.y - p.y, s.c.y, s.b.y, s.a.y};
+    // A level ray stays at its height: what is left of the equation is the square of the curve's height above it.
+    const bool is_level = std::abs(d.y) < kLevel;
     std::array<double, 7> equation{};
     for (std::size_t i = 0; i < 4; ++i) {
+      if (is_level) {
+        equation[i] = y[i];
+        continue;
+      }
       for (std::size_t k = 0; k < 4; ++k) equation[i + k] += r * y[i] * y[k] - dy2 * x[i] * x[k];
       equation[i] += 2.0 * m * d.y * y[i];
     }
-    equation[0] += dy2 * q;
+    if (!is_level) equation[0] += dy2 * q;
     std::size_t order = 6;
     while (order > 0 && equation[order] == 0.0) --order;
     std::array<double, 6> roots;
     const std::size_t count = polynomial_roots({equation.data(), order + 1}, 0.0, 1.0, roots);
     for (std::size_t k = 0; k < count; ++k) {
       const double w = roots[k];
-      if (std::abs(d.y) > kEpsilon) {
+      if (!is_level) {
         add((s.at(w).y - p.y) / d.y, w);
         continue;
       }

@@ -185,12 +185,16 @@ class Mesh final : public Shape {
   const MeshParameters& parameters() const { return faces_->parameters(); }
 
   void crossings(const Ray& given, std::vector<Crossing>& out) const override {
-    const auto [length, ray] = UnitRay(transform_.inverse_ray(given));
+    const UnitRay unit_ray(transform_.inverse_ray(given));
+    const double length = unit_ray.length;
+    const Ray& ray = unit_ray.ray;
     faces_->meet(ray, kMaxDistance,
                  [&](double depth, std::uint32_t face) { out.push_back({depth / length, this, 0, face, {}}); });
   }
   void nearest(const Ray& given, double low, double high, std::vector<Crossing>& out) const override {
-    const auto [length, ray] = UnitRay(transform_.inverse_ray(given));
+    const UnitRay unit_ray(transform_.inverse_ray(given));
+    const double length = unit_ray.length;
+    const Ray& ray = unit_ray.ray;
     double limit = std::min(kMaxDistance, high * length * (1.0 + kRoom));
     faces_->meet(ray, limit, [&](double depth, std::uint32_t face) {
       if (!(depth / length > low)) return;

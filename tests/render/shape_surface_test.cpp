@@ -221,6 +221,17 @@ TEST(Lathe, OfEachSplineIsAClosedSolid) {
   check_surface(make_lathe({ProfileSpline::bezier, {{0, -1}, {1.5, -1}, {1, 1}, {0, 1}}}), 4);
 }
 
+TEST(Lathe, IsMetByLevelRays) {
+  const ShapePtr lathe = make_lathe({ProfileSpline::quadratic, {{-0.5, -1.2}, {0, -1}, {1, -0.3}, {0.7, 0.4}, {0, 1}}});
+  for (const double y : {-0.9, -0.3, 0.0, 0.1, 0.7}) {
+    const std::vector<double> level = depths(lathe, {Vec3(5, y, 0.1), Vec3(-1, 0, 0)});
+    const std::vector<double> steeper = depths(lathe, {Vec3(5, y - 5e-6, 0.1), unit(Vec3(-1, 1e-6, 0))});
+    ASSERT_EQ(level.size(), 2u) << y;
+    ASSERT_EQ(steeper.size(), 2u) << y;
+    for (std::size_t i = 0; i < 2; ++i) EXPECT_NEAR(level[i], steeper[i], 1e-4) << y;
+  }
+}
+
 TEST(Lathe, OfALineIsACone) {
   const ShapePtr lathe = make_lathe({ProfileSpline::linear, {{1, -1}, {0.5, 1}}});
   const ShapePtr cone = make_cone(Vec3(0, -1, 0), 1.0, Vec3(0, 1, 0), 0.5, true);
