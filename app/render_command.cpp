@@ -20,6 +20,9 @@
 #include "render/accel/accel.h"
 #include "render/image/link_target.h"
 #include "render/math/interrupt.h"
+#include "render/scene/scene.h"
+#include "render/scene/scene_index.h"
+#include "render/trace/medium_table.h"
 #include "render/trace/radiance_bound.h"
 
 #include <fmt/format.h>
@@ -141,8 +144,8 @@ int render_command(const Options& options, Clock::time_point start, const std::a
   const render::Scene& scene = *loaded.scene;
   stats.remaining_is_bound = render::RadianceBound(scene).known();
   render::Film film(options.width, options.height);
-  std::optional<priority::Order> order =
-      read_order(options, {&scene, options.width, options.height, parser::compile_text, &film}, problem);
+  std::optional<priority::Order> order = read_order(
+      options, {render::index_of(scene), options.width, options.height, parser::compile_text, &film}, problem);
   if (!order) {
     say_error_in_lines(problem);
     return kExitFailure;

@@ -8,6 +8,7 @@
 #include <cstdint>
 #include <limits>
 #include <set>
+#include <span>
 
 namespace firstlight::priority {
 namespace {
@@ -45,9 +46,9 @@ class Boosted final : public Scheme {
  public:
   Boosted(std::shared_ptr<const Scheme> base, const std::vector<Boost>& boosts, const SchemeInput& input)
       : base_(std::move(base)), pixels_(input), ranks_(boosts), keys_(ranks_.count(), base_->key_count()) {
-    const std::vector<render::ObjectGroup>& groups = input.scene->objects;
+    const std::span<const render::ObjectGroup> groups = input.scene.objects;
     by_object_.resize(groups.size());
-    by_light_.resize(input.scene->lights.size());
+    by_light_.resize(input.scene.lights.size());
     for (const Boost& boost : boosts) {
       switch (boost.kind) {
         case Boost::Kind::region:

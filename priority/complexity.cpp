@@ -10,8 +10,8 @@ namespace firstlight::priority {
 SchemePtr make_complexity(const SchemeInput& input, SchemeText*) {
   constexpr std::uint8_t kMost = 31;
   std::vector<Key> keys;
-  keys.reserve(input.scene->objects.size());
-  for (const render::ObjectGroup& group : input.scene->objects) {
+  keys.reserve(input.scene.objects.size());
+  for (const render::ObjectGroup& group : input.scene.objects) {
     keys.push_back(Key{kMost} - std::min(group.complexity, kMost));
   }
   return std::make_shared<ObjectScheme>(std::move(keys), Key{kMost} + 1);

@@ -45,7 +45,7 @@ constexpr Key kKeysOfFeelers = 4;
 class Contribution final : public Scheme {
  public:
   explicit Contribution(const SchemeInput& input)
-      : cells_(input), blocked_(cells_, input.scene->lights.size()), gains_(cells_) {}
+      : cells_(input), blocked_(cells_, input.scene.lights.size()), gains_(cells_) {}
 
   void keys(std::span<const RayTask> tasks, std::span<Key> keys) const override {
     for (std::size_t i = 0; i < tasks.size(); ++i) {

@@ -20,40 +20,40 @@ void DepthFirst::run(std::span<const render::RayTask> roots) {
   stack_.assign(roots.begin(), roots.end());
   while (!stack_.empty() && !frame_.stopped()) {
     const std::size_t count = size_of_top(stack_);
-    stepper_.step(std::span(stack_).last(count));
+    tracer_.step(std::span(stack_).last(count));
     if (render::Interrupt::seen()) return;  // half a step is no part of the sum
-    frame_.add(stepper_.light(), stepper_.counts(), tally_);
+    frame_.add(tracer_.light(), tracer_.counts(), tally_);
     stack_.resize(stack_.size() - count);
-    stack_.insert(stack_.end(), stepper_.spawned().begin(), stepper_.spawned().end());
+    stack_.insert(stack_.end(), tracer_.spawned().begin(), tracer_.spawned().end());
   }
 }
 
-void trace_recursively(Frame& frame, render::Stepper& stepper, RayQueue& queue, std::size_t worker) {
+void trace_recursively(Frame& frame, render::Tracer& tracer, RayQueue& queue, std::size_t worker) {
   Tally tally;
-  DepthFirst depth_first(frame, stepper, tally);
+  DepthFirst depth_first(frame, tracer, tally);
   PrimaryOrder::Batch batch;
   while (!queue.closed()) {
     if (!frame.primaries().next(worker, batch)) {
-      frame.report(stepper.counts(), tally);
+      frame.report(tracer.counts(), tally);
       queue.wait_and_pop(worker, [&frame] { return frame.primaries().refill(); });
       continue;
     }
     for (std::size_t i = 0; i < batch.rays.tasks.size(); ++i) {
       if (frame.wants_rest()) {
-        frame.report(stepper.counts(), tally);
+        frame.report(tracer.counts(), tally);
         frame.rest();
       }
       if (frame.stopped()) {
-        frame.report(stepper.counts(), tally);
+        frame.report(tracer.counts(), tally);
         return frame.leave_unfinished();
       }
-      stepper.step_primary(std::span(batch.rays.tasks).subspan(i, 1), std::span(batch.rays.rays).subspan(i, 1));
+      tracer.step_primary(std::span(batch.rays.tasks).subspan(i, 1), std::span(batch.rays.rays).subspan(i, 1));
       if (render::Interrupt::seen()) {
-        frame.report(stepper.counts(), tally);
+        frame.report(tracer.counts(), tally);
         return frame.leave_unfinished();
       }
-      frame.add(stepper.light(), stepper.counts(), tally);
-      depth_first.run(stepper.spawned());
+      frame.add(tracer.light(), tracer.counts(), tally);
+      depth_first.run(tracer.spawned());
     }
     frame.add_dark(batch.rays.dark, tally);
     frame.lit(batch);

@@ -2,7 +2,7 @@
 
 #include "priority/frame.h"
 #include "priority/ray_queue.h"
-#include "render/trace/step.h"
+#include "render/trace/tracer.h"
 
 #include <span>
 #include <vector>
@@ -16,20 +16,20 @@ namespace firstlight::priority {
 class DepthFirst {
  public:
   /// Pre: all outlive this.
-  DepthFirst(Frame& frame, render::Stepper& stepper, Tally& tally) : frame_(frame), stepper_(stepper), tally_(tally) {}
+  DepthFirst(Frame& frame, render::Tracer& tracer, Tally& tally) : frame_(frame), tracer_(tracer), tally_(tally) {}
 
-  /// Pre: `roots` may be the stepper's spawned().
+  /// Pre: `roots` may be the tracer's spawned().
   void run(std::span<const render::RayTask> roots);
 
  private:
   Frame& frame_;
-  render::Stepper& stepper_;
+  render::Tracer& tracer_;
   Tally& tally_;
   std::vector<render::RayTask> stack_;
 };
 
 /// The traditional order, the baseline of all comparisons: pixel by pixel, each with its whole tree, depth first. The
 /// workers only meet at the `queue`, when there are no more pixels. `worker`: the number of the calling one.
-void trace_recursively(Frame& frame, render::Stepper& stepper, RayQueue& queue, std::size_t worker);
+void trace_recursively(Frame& frame, render::Tracer& tracer, RayQueue& queue, std::size_t worker);
 
 }  // namespace firstlight::priority

@@ -25,6 +25,6 @@ class Distance final : public Scheme {
 
 }  // namespace
 
-SchemePtr make_distance(const SchemeInput& input, SchemeText*) { return std::make_shared<Distance>(input.eye()); }
+SchemePtr make_distance(const SchemeInput& input, SchemeText*) { return std::make_shared<Distance>(input.scene.eye); }
 
 }  // namespace firstlight::priority

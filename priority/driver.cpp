@@ -7,12 +7,14 @@
 #include "priority/steering.h"
 #include "priority/worker.h"
 #include "render/math/interrupt.h"
+#include "render/scene/scene_index.h"
 
 #include <algorithm>
 #include <exception>
 #include <limits>
 #include <memory>
 #include <new>
+#include <span>
 #include <thread>
 #include <vector>
 
@@ -27,14 +29,14 @@ std::string reason_of(const std::exception& exception) {
 void work(Frame& frame, Shared& shared, const TraceOptions& options, std::size_t number, render::RayCounts& counts) {
   const render::Interrupt interrupt(frame.wish_to_end());
   try {
-    render::Stepper stepper(frame.context(), frame.surfaces());
+    render::Tracer tracer(frame.context(), frame.surfaces());
     if (options.scheme == nullptr) {
-      trace_recursively(frame, stepper, shared.queue, number);
+      trace_recursively(frame, tracer, shared.queue, number);
     } else {
-      const auto worker = std::make_unique<Worker>(frame, stepper, shared, options, number);
+      const auto worker = std::make_unique<Worker>(frame, tracer, shared, options, number);
       worker->run();
     }
-    counts = stepper.counts();
+    counts = tracer.counts();
   } catch (const std::exception& exception) {
     frame.fail(reason_of(exception));
   }
@@ -43,7 +45,7 @@ void work(Frame& frame, Shared& shared, const TraceOptions& options, std::size_t
 }
 
 /// Of a hit: area lights may take one for each of their points.
-std::uint64_t most_feelers(const std::vector<render::Light>& lights) {
+std::uint64_t most_feelers(std::span<const render::Light> lights) {
   std::uint64_t sum = 0;
   for (const render::Light& light : lights) {
     sum +=
@@ -104,8 +106,8 @@ TraceResult trace(const render::TraceContext& context, render::Film& film, const
   } catch (const std::exception& exception) {
     result.error = reason_of(exception);
   }
-  result.statistics.worst_case_rays =
-      worst_case_rays(samples, most_feelers(context.scene.lights), context.scene.settings.max_trace_level);
+  const render::SceneIndex scene = render::index_of(context.scene);
+  result.statistics.worst_case_rays = worst_case_rays(samples, most_feelers(scene.lights), scene.max_trace_level);
   return result;
 }
 

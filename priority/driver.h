@@ -6,7 +6,9 @@
 #include "priority/scheme.h"
 #include "render/film/antialias.h"
 #include "render/film/film.h"
-#include "render/trace/step.h"
+#include "render/trace/ray_counts.h"
+#include "render/trace/ray_task.h"
+#include "render/trace/trace_context.h"
 
 #include <atomic>
 #include <chrono>

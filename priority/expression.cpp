@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <span>
 
 namespace firstlight::priority {
 namespace {
@@ -45,7 +46,7 @@ render::Rgb weight_of(const RayTask& task) {
 }
 
 const render::Light* light_of(const RayTask& task, const SchemeInput& input) {
-  const std::vector<render::Light>& lights = input.scene->lights;
+  const std::span<const render::Light> lights = input.scene.lights;
   const bool known = task.kind == RayKind::shadow && task.first_light() < lights.size();
   return known ? &lights[task.first_light()] : nullptr;
 }
@@ -66,7 +67,7 @@ constexpr Attribute kAttributes[] = {
     {"sample", [](const RayTask& t, const SchemeInput&, const Pixels&) -> double { return t.sample; }, true},
     {"object", [](const RayTask& t, const SchemeInput&, const Pixels&) -> double { return t.object; }},
     {"distance",
-     [](const RayTask& t, const SchemeInput& input, const Pixels&) { return (t.origin - input.eye()).length(); }},
+     [](const RayTask& t, const SchemeInput& input, const Pixels&) { return (t.origin - input.scene.eye).length(); }},
     {"light", [](const RayTask& t, const SchemeInput&,
                  const Pixels&) { return t.kind == RayKind::shadow ? static_cast<double>(t.first_light()) : -1.0; }},
     {"light_distance",
@@ -162,11 +163,11 @@ SchemePtr make_expression(const SchemeInput& input, SchemeText* arguments) {
   std::vector<std::string_view> parameters;
   for (const Attribute& attribute : kAttributes) parameters.push_back(attribute.name);
   std::vector<std::vector<bool>> objects;
-  for (const std::string_view word : object_words(*input.scene)) {
+  for (const std::string_view word : object_words(input.scene.objects)) {
     if (!occurs(word, text.text) || std::ranges::find(parameters, word) != parameters.end()) continue;
     parameters.push_back(word);
     std::vector<bool>& groups = objects.emplace_back();
-    for (const render::ObjectGroup& group : input.scene->objects) groups.push_back(is_called(group, word));
+    for (const render::ObjectGroup& group : input.scene.objects) groups.push_back(is_called(group, word));
   }
   const render::CompileResult compiled = input.compile(text.text, parameters);
   if (!compiled.program) throw SchemeError{text.at + compiled.at, compiled.length, compiled.error};

@@ -35,7 +35,7 @@ render::RayTask primary_task() {
 
 Frame::Frame(const render::TraceContext& context, render::Film& film, const TraceOptions& options)
     : context_(context),
-      surfaces_(std::make_shared<render::SurfaceTable>(context.scene)),
+      surfaces_(render::make_surfaces(context.scene)),
       film_(film),
       options_(options),
       bound_(context.scene, context.camera()),

@@ -6,7 +6,8 @@
 #include "render/film/film.h"
 #include "render/trace/primary.h"
 #include "render/trace/radiance_bound.h"
-#include "render/trace/step.h"
+#include "render/trace/ray_counts.h"
+#include "render/trace/tracer.h"
 
 #include <array>
 #include <atomic>
@@ -111,13 +112,13 @@ class Frame {
   // Changed again and again, all that follows seldom: on lines of their own.
   alignas(64) std::atomic<std::uint32_t> tiles_lit_ = 0;
   std::atomic<std::uint32_t> coarse_tiles_lit_ = 0;
-  std::atomic<Key> key_ = kBuckets;                     // none yet
-  std::array<std::atomic<std::uint64_t>, 4> traced_{};  // by kind
-  std::atomic<std::uint64_t> clear_ = 0;                // of the feelers
-  std::atomic<std::uint64_t> blocked_ = 0;              // of the feelers, without being traced
-  std::atomic<std::int64_t> remaining_ = 0;             // over all pixels, in steps of FixedRgb
-  alignas(64) int left_out_ = 0;                        // low bits that remaining_ is without
-  std::atomic<double> refinement_remaining_ = 0.0;      // over all pixels, with anti-aliasing; as of the last look
+  std::atomic<Key> key_ = kBuckets;                                     // none yet
+  std::array<std::atomic<std::uint64_t>, render::kRayKinds> traced_{};  // by kind
+  std::atomic<std::uint64_t> clear_ = 0;                                // of the feelers
+  std::atomic<std::uint64_t> blocked_ = 0;                              // of the feelers, without being traced
+  std::atomic<std::int64_t> remaining_ = 0;                             // over all pixels, in steps of FixedRgb
+  alignas(64) int left_out_ = 0;                                        // low bits that remaining_ is without
+  std::atomic<double> refinement_remaining_ = 0.0;  // over all pixels, with anti-aliasing; as of the last look
   std::atomic<bool> stopped_ = false;
   std::atomic<bool> wants_key_change_ = false;
   std::atomic<bool> checkpoint_due_ = false;

@@ -25,7 +25,7 @@ class Level final : public Scheme {
 
 SchemePtr make_level(const SchemeInput& input, SchemeText*) {
   constexpr int kLargest = 255;  // RayTask::level is a byte
-  return std::make_shared<Level>(static_cast<Key>(std::clamp(input.scene->settings.max_trace_level, 0, kLargest)));
+  return std::make_shared<Level>(static_cast<Key>(std::clamp(input.scene.max_trace_level, 0, kLargest)));
 }
 
 }  // namespace firstlight::priority

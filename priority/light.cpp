@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 
 #include <array>
+#include <span>
 #include <vector>
 
 namespace firstlight::priority {
@@ -28,7 +29,7 @@ SchemePtr by_light(std::vector<Key> keys, Key count) {
 }
 
 /// Marks the lights that a user means by their identifier or their number, counted from 0.
-void give_key(const render::Scene& scene, SchemeText& text, Key key, std::vector<Key>& keys) {
+void give_key(const render::SceneIndex& scene, SchemeText& text, Key key, std::vector<Key>& keys) {
   const Piece word = text.next();
   std::vector<std::size_t> lights;
   if (text.at_number()) {
@@ -72,7 +73,7 @@ std::size_t color_of(const render::Rgb& light) {
 
 /// Feelers to bright lights first; or to the lights that are named, in their order, and all others last.
 SchemePtr make_light(const SchemeInput& input, SchemeText* arguments) {
-  const render::Scene& scene = *input.scene;
+  const render::SceneIndex& scene = input.scene;
   std::vector<Key> keys(scene.lights.size(), 0);
   if (arguments == nullptr) {
     constexpr LogScale kScale(-16, 16, 3);
@@ -96,12 +97,12 @@ SchemePtr make_light(const SchemeInput& input, SchemeText* arguments) {
 /// Feelers to near lights first.
 SchemePtr make_light_distance(const SchemeInput& input, SchemeText*) {
   static constexpr LogScale kScale(-20, 30, 3);
-  return feeler_scheme(kScale.count(),
-                       [&scene = *input.scene](const RayTask& task, std::uint32_t light, const PackedRgb&) -> Key {
-                         if (light >= scene.lights.size()) return 0;
-                         const double distance = render::reach_to(scene.lights[light], task.origin);
-                         return kScale.count() - 1 - kScale.of(static_cast<float>(distance));
-                       });
+  return feeler_scheme(
+      kScale.count(), [lights = input.scene.lights](const RayTask& task, std::uint32_t light, const PackedRgb&) -> Key {
+        if (light >= lights.size()) return 0;
+        const double distance = render::reach_to(lights[light], task.origin);
+        return kScale.count() - 1 - kScale.of(static_cast<float>(distance));
+      });
 }
 
 /// Feelers by the colour of the light that they may take back, in the order that the user wants.

@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <span>
 
 namespace firstlight::priority {
 namespace {
@@ -12,16 +13,16 @@ namespace {
 constexpr Key kMostWords = 1000;
 
 // Without a list: in the order in which the scene describes its objects.
-SchemePtr in_scene_order(const render::Scene& scene) {
-  const Key groups = std::max<Key>(static_cast<Key>(scene.objects.size()), 1);
+SchemePtr in_scene_order(std::span<const render::ObjectGroup> objects) {
+  const Key groups = std::max<Key>(static_cast<Key>(objects.size()), 1);
   const Key count = std::min(groups, kMostWords);
-  std::vector<Key> keys(scene.objects.size());
+  std::vector<Key> keys(objects.size());
   for (Key group = 0; group < keys.size(); ++group) keys[group] = (groups - 1 - group) * count / groups;
   return std::make_shared<ObjectScheme>(std::move(keys), count);
 }
 
-std::vector<Piece> read_words(const render::Scene& scene, SchemeText& text) {
-  const std::vector<std::string_view> known = object_words(scene);
+std::vector<Piece> read_words(std::span<const render::ObjectGroup> objects, SchemeText& text) {
+  const std::vector<std::string_view> known = object_words(objects);
   std::vector<Piece> words;
   do {
     const Piece word = text.identifier("the name of an object");
@@ -43,14 +44,14 @@ std::vector<Piece> read_words(const render::Scene& scene, SchemeText& text) {
 /// By the object that a ray left, in the order that the user names them; rays of all others leave last.
 /// Source   Yagel & Meeker 1997, section 4, "object".
 SchemePtr make_object(const SchemeInput& input, SchemeText* arguments) {
-  const render::Scene& scene = *input.scene;
-  if (arguments == nullptr) return in_scene_order(scene);
-  const std::vector<Piece> words = read_words(scene, *arguments);
+  const std::span<const render::ObjectGroup> objects = input.scene.objects;
+  if (arguments == nullptr) return in_scene_order(objects);
+  const std::vector<Piece> words = read_words(objects, *arguments);
   const auto count = static_cast<Key>(words.size()) + 1;
-  std::vector<Key> keys(scene.objects.size(), 0);
+  std::vector<Key> keys(objects.size(), 0);
   for (std::size_t group = 0; group < keys.size(); ++group) {
     const auto first =
-        std::ranges::find_if(words, [&](const Piece& word) { return is_called(scene.objects[group], word.text); });
+        std::ranges::find_if(words, [&](const Piece& word) { return is_called(objects[group], word.text); });
     if (first != words.end()) keys[group] = count - 1 - static_cast<Key>(first - words.begin());
   }
   return std::make_shared<ObjectScheme>(std::move(keys), count);

@@ -8,9 +8,9 @@ bool is_called(const render::ObjectGroup& group, std::string_view word) {
   return group.shape == word || std::ranges::find(group.names, word) != group.names.end();
 }
 
-std::vector<std::string_view> object_words(const render::Scene& scene) {
+std::vector<std::string_view> object_words(std::span<const render::ObjectGroup> objects) {
   std::vector<std::string_view> words;
-  for (const render::ObjectGroup& group : scene.objects) {
+  for (const render::ObjectGroup& group : objects) {
     words.insert(words.end(), group.names.begin(), group.names.end());
     if (!group.shape.empty()) words.push_back(group.shape);
   }

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "priority/key.h"
-#include "render/trace/step.h"
+#include "render/trace/ray_counts.h"
 
 #include <cstddef>
 #include <cstdint>

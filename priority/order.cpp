@@ -57,7 +57,7 @@ std::string Order::problem_with(const Boost& boost) const {
   constexpr std::size_t kMost = 256;
   if (base_ == nullptr) return fmt::format("the order '{}' has no queue in which rays could be boosted", text_);
   if (boosts_.size() >= kMost) return fmt::format("there are {} boosts already", kMost);
-  const render::Scene& scene = *input_.scene;
+  const render::SceneIndex& scene = input_.scene;
   switch (boost.kind) {
     case Boost::Kind::region: {
       const Rectangle& r = boost.region;
@@ -72,7 +72,7 @@ std::string Order::problem_with(const Boost& boost) const {
       break;
     }
     case Boost::Kind::object: {
-      const std::vector<std::string_view> names = object_words(scene);
+      const std::vector<std::string_view> names = object_words(scene.objects);
       if (!std::ranges::binary_search(names, boost.object)) {
         return fmt::format("the scene has no object '{}'{}", boost.object, nearest_hint(boost.object, names));
       }

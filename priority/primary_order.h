@@ -5,7 +5,7 @@
 #include "render/film/antialias.h"
 #include "render/film/film.h"
 #include "render/trace/primary.h"
-#include "render/trace/step.h"
+#include "render/trace/trace_context.h"
 
 #include <atomic>
 #include <cstddef>

@@ -5,7 +5,7 @@
 namespace firstlight::priority {
 namespace {
 
-constexpr std::array<std::string_view, 4> kWords{"primary", "reflection", "transmission", "shadow"};
+constexpr std::array<std::string_view, render::kRayKinds> kWords{"primary", "reflection", "transmission", "shadow"};
 
 /// By kind of ray, in the order that the user wants. Primary rays come first unless they are named: without them there
 /// is nothing to see. Source   Yagel & Meeker 1997, section 4, "ray type"; without arguments in the order of the

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "priority/key.h"
-#include "render/scene/solid.h"
+#include "render/trace/ray_kind.h"
 
 #include <array>
 #include <bit>

@@ -18,8 +18,8 @@ SchemePtr make_surface(const SchemeInput& input, SchemeText* arguments) {
   const std::vector<std::uint32_t> ranks = arguments != nullptr ? read_ranks(*arguments, "a kind of surface", kWords).of
                                                                 : std::vector<std::uint32_t>{3, 2, 1, 0};
   std::vector<Key> keys;
-  keys.reserve(input.scene->objects.size());
-  for (const render::ObjectGroup& group : input.scene->objects) {
+  keys.reserve(input.scene.objects.size());
+  for (const render::ObjectGroup& group : input.scene.objects) {
     keys.push_back(static_cast<Key>(kWords.size() - 1) - ranks[static_cast<std::size_t>(group.surface)]);
   }
   return std::make_shared<ObjectScheme>(std::move(keys), static_cast<Key>(kWords.size()));

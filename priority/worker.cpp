@@ -8,9 +8,9 @@
 
 namespace firstlight::priority {
 
-Worker::Worker(Frame& frame, render::Stepper& stepper, Shared& shared, const TraceOptions& options, std::size_t number)
+Worker::Worker(Frame& frame, render::Tracer& tracer, Shared& shared, const TraceOptions& options, std::size_t number)
     : frame_(frame),
-      stepper_(stepper),
+      tracer_(tracer),
       shared_(shared),
       pool_(shared.pool),
       queue_(shared.queue),
@@ -18,7 +18,7 @@ Worker::Worker(Frame& frame, render::Stepper& stepper, Shared& shared, const Tra
       number_(number),
       scheme_(options.scheme),
       open_(pool_, queue_, number),
-      depth_first_(frame, stepper, tally_) {}
+      depth_first_(frame, tracer, tally_) {}
 
 void Worker::run() {
   if (steering_ == nullptr) frame_.primaries().sort(*scheme_, 1);
@@ -84,11 +84,11 @@ bool Worker::primaries_are_next() {
 void Worker::trace_primaries() {
   if (!frame_.primaries().next(number_, primaries_)) return;
   frame_.expect_light(primaries_.rays.tasks);
-  stepper_.step_primary(primaries_.rays.tasks, primaries_.rays.rays);
+  tracer_.step_primary(primaries_.rays.tasks, primaries_.rays.rays);
   if (render::Interrupt::seen()) return;  // half a step is no part of the sum
-  frame_.add(stepper_.light(), stepper_.counts(), tally_);
+  frame_.add(tracer_.light(), tracer_.counts(), tally_);
   frame_.add_dark(primaries_.rays.dark, tally_);
-  scheme_->learn(primaries_.rays.tasks, stepper_.light(), stepper_.spawned());
+  scheme_->learn(primaries_.rays.tasks, tracer_.light(), tracer_.spawned());
   frame_.lit(primaries_);
   keep_spawned(0);
 }
@@ -115,10 +115,10 @@ bool Worker::is_inverted(Slot slot) const {
 std::uint64_t Worker::trace_block(Block* block) {
   const std::uint64_t taken = render::ray_count(block->span());
   frame_.expect_light(block->span());
-  stepper_.step(block->span());
+  tracer_.step(block->span());
   if (render::Interrupt::seen()) return 0;
-  frame_.add(stepper_.light(), stepper_.counts(), tally_);
-  scheme_->learn(block->span(), stepper_.light(), stepper_.spawned());
+  frame_.add(tracer_.light(), tracer_.counts(), tally_);
+  scheme_->learn(block->span(), tracer_.light(), tracer_.spawned());
   open_.release(block);
   keep_spawned(taken);
   return taken;
@@ -154,8 +154,8 @@ void Worker::show_top(int slot) {
 }
 
 void Worker::keep_spawned(std::uint64_t taken) {
-  count(render::ray_count(stepper_.spawned()), taken);
-  queue_tasks(stepper_.spawned());
+  count(render::ray_count(tracer_.spawned()), taken);
+  queue_tasks(tracer_.spawned());
 }
 
 void Worker::count(std::uint64_t spawned, std::uint64_t taken) {
@@ -174,7 +174,7 @@ void Worker::count_in_queue() {
 void Worker::report() {
   count_in_queue();
   shared_.inverted_rays.fetch_add(std::exchange(inverted_, 0), std::memory_order_relaxed);
-  frame_.report(stepper_.counts(), tally_);
+  frame_.report(tracer_.counts(), tally_);
 }
 
 void Worker::queue_tasks(std::span<const render::RayTask> tasks) {

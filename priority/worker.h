@@ -5,7 +5,7 @@
 #include "priority/open_blocks.h"
 #include "priority/ray_queue.h"
 #include "priority/scheme.h"
-#include "render/trace/step.h"
+#include "render/trace/tracer.h"
 
 #include <atomic>
 #include <cstddef>
@@ -42,7 +42,7 @@ struct Shared {
 class Worker {
  public:
   /// `number` of [0, options.threads).
-  Worker(Frame& frame, render::Stepper& stepper, Shared& shared, const TraceOptions& options, std::size_t number);
+  Worker(Frame& frame, render::Tracer& tracer, Shared& shared, const TraceOptions& options, std::size_t number);
 
   /// Until nothing is left or the frame is stopped.
   void run();
@@ -76,7 +76,7 @@ class Worker {
   void queue_tasks(std::span<const render::RayTask> tasks);
 
   Frame& frame_;
-  render::Stepper& stepper_;
+  render::Tracer& tracer_;
   Shared& shared_;
   BlockPool& pool_;
   RayQueue& queue_;

@@ -15,6 +15,7 @@
 #include "priority/order.h"
 #include "render/math/interrupt.h"
 #include "render/scene/file_encoding.h"
+#include "render/scene/scene_index.h"
 
 #include <fmt/format.h>
 
@@ -41,7 +42,7 @@ int interrupted() {
 std::string choose_schemes(const StudyOptions& options, StudyPlan& plan) {
   const std::vector<std::string> texts = options.schemes.empty() ? all_study_schemes() : options.schemes;
   priority::SchemeInput input;
-  input.scene = plan.scene;
+  input.scene = render::index_of(*plan.scene);
   input.width = plan.width;
   input.height = plan.height;
   input.compile = parser::compile_text;

@@ -91,10 +91,11 @@ std::string queue_figures(const Study& study) {
 
 std::string rays_figures(const Study& study) {
   using render::RayKind;
-  constexpr std::array<std::pair<RayKind, const char*>, 4> kKinds{{{RayKind::primary, "primary"},
-                                                                   {RayKind::reflection, "reflection"},
-                                                                   {RayKind::transmission, "transmission"},
-                                                                   {RayKind::shadow, "shadow"}}};
+  constexpr std::array<std::pair<RayKind, const char*>, render::kRayKinds> kKinds{
+      {{RayKind::primary, "primary"},
+       {RayKind::reflection, "reflection"},
+       {RayKind::transmission, "transmission"},
+       {RayKind::shadow, "shadow"}}};
   double most = 0.0;
   for (const SchemeStudy& scheme : study.schemes) most = std::max(most, scheme.moments.back().seconds);
   std::string html;

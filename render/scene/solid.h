@@ -12,10 +12,7 @@
 
 namespace firstlight::render {
 
-/// What a ray is looking for; objects may hide from some kinds.
-enum class RayKind : std::uint8_t { primary, reflection, transmission, shadow };
-
-/// Bits of Solid::hidden_from and of the visibility tests.
+/// Bits of Solid::hidden_from and of the visibility tests: the kinds of ray that an object may hide from.
 constexpr std::uint8_t kHiddenFromPrimary = 1;     ///< no_image
 constexpr std::uint8_t kHiddenFromReflection = 2;  ///< no_reflection
 constexpr std::uint8_t kHiddenFromShadow = 4;      ///< no_shadow

@@ -1,6 +1,7 @@
 #include "render/trace/primary.h"
 
 #include "render/math/pixel_grid.h"
+#include "render/scene/scene.h"
 #include "render/surface/compiled_normal.h"
 
 #include <algorithm>

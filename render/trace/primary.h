@@ -1,8 +1,6 @@
 #pragma once
 
 #include "render/camera/projection.h"
-#include "render/scene/scene.h"
-#include "render/trace/medium_table.h"
 #include "render/trace/ray_task.h"
 #include "render/trace/start_medium.h"
 
@@ -14,6 +12,8 @@
 namespace firstlight::render {
 
 class CompiledNormal;
+class MediumTable;
+struct Scene;
 
 /// A place of the picture that is to light a sample of the film, in picture coordinates (see PicturePlaces::add).
 struct PrimaryPlace {

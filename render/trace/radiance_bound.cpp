@@ -2,6 +2,7 @@
 
 #include "render/camera/projection.h"
 #include "render/math/interrupt.h"
+#include "render/scene/scene.h"
 #include "render/trace/surface_limits.h"
 
 #include <algorithm>
@@ -19,6 +20,8 @@ constexpr double kLongestRow = 64.0;
 constexpr double kUsualRow = 4.0;
 
 }  // namespace
+
+RadianceBound::RadianceBound(const Scene& scene) : RadianceBound(scene, scene.camera) {}
 
 RadianceBound::RadianceBound(const Scene& scene, const Camera& camera) {
   const SurfaceLimits limits(scene, make_projection(camera)->origins());

@@ -1,13 +1,16 @@
 #pragma once
 
 #include "render/math/fixed_rgb.h"
-#include "render/scene/scene.h"
 #include "render/trace/ray_task.h"
 
+#include <cstddef>
 #include <cstdint>
 #include <vector>
 
 namespace firstlight::render {
+
+struct Camera;
+struct Scene;
 
 /// The most light that a ray can bring to its sample, all its descendants included: what the remaining error of a
 /// picture in progress is bounded by.
@@ -19,7 +22,7 @@ namespace firstlight::render {
 /// Threads  Immutable.
 class RadianceBound {
  public:
-  explicit RadianceBound(const Scene& scene) : RadianceBound(scene, scene.camera) {}
+  explicit RadianceBound(const Scene& scene);
   /// Of the scene as another camera sees it.
   RadianceBound(const Scene& scene, const Camera& camera);
 

@@ -3,7 +3,7 @@
 #include "render/math/color.h"
 #include "render/math/packed_rgb.h"
 #include "render/math/vec.h"
-#include "render/scene/solid.h"
+#include "render/trace/ray_kind.h"
 
 #include <algorithm>
 #include <array>
@@ -63,8 +63,8 @@ class RayTask {
   Vec3 origin;
   std::uint32_t sample = 0;  ///< index into the film
   std::uint32_t medium = 0;  ///< of MediumTable: what the ray travels in
-  RayKind kind : 2 = RayKind::primary;
-  std::uint8_t flags : 6 = 0;
+  RayKind kind : kRayKindBits = RayKind::primary;
+  std::uint8_t flags : 8 - kRayKindBits = 0;
   std::uint8_t level = 0;            ///< trace level of the parent: 0 for a primary ray
   std::uint16_t object = kNoObject;  ///< Part::object of the surface that the ray left
 

@@ -1,7 +1,10 @@
 #pragma once
 
+#include "render/accel/accel.h"
 #include "render/math/color.h"
+#include "render/scene/scene.h"
 #include "render/surface/surface_table.h"
+#include "render/trace/medium_table.h"
 #include "render/trace/trace_context.h"
 #include "render/trace/veil.h"
 

@@ -1,5 +1,8 @@
 #include "render/trace/start_medium.h"
 
+#include "render/scene/scene.h"
+#include "render/trace/medium_table.h"
+
 namespace firstlight::render {
 namespace {
 
@@ -21,7 +24,8 @@ bool may_hold_start(const Solid& solid, const Box3& origins) {
   return origins.min == origins.max ? solid.holds_start(origins.min) : solid.may_hold_start(origins);
 }
 
-StartMedium::StartMedium(const Scene& scene, MediumTable& media, const Box3& origins) : media_(media) {
+StartMedium::StartMedium(const Scene& scene, MediumTable& media, const Box3& origins)
+    : media_(media), everywhere_(MediumTable::kOutside) {
   if (origins.min == origins.max) {
     everywhere_ = medium_at(scene, media, origins.min);
     return;

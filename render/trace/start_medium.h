@@ -1,12 +1,15 @@
 #pragma once
 
-#include "render/scene/scene.h"
-#include "render/trace/medium_table.h"
+#include "render/math/vec.h"
 
 #include <cstdint>
 #include <vector>
 
 namespace firstlight::render {
+
+class MediumTable;
+struct Scene;
+class Solid;
 
 /// What a ray that begins at `point` is inside of.
 std::uint32_t medium_at(const Scene& scene, MediumTable& media, const Vec3& point);
@@ -31,7 +34,7 @@ class StartMedium {
   std::uint32_t ask(const Vec3& origin) const;
 
   MediumTable& media_;
-  std::uint32_t everywhere_ = MediumTable::kOutside;
+  std::uint32_t everywhere_;  ///< where nothing holds an origin
   std::vector<const Solid*> holders_;  ///< in the scene's order
 };
 

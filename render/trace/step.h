@@ -9,6 +9,7 @@
 #include "render/trace/hit_block.h"
 #include "render/trace/medium_table.h"
 #include "render/trace/radiance_bound.h"
+#include "render/trace/ray_counts.h"
 #include "render/trace/ray_task.h"
 #include "render/trace/shadow.h"
 #include "render/trace/trace_context.h"
@@ -21,21 +22,6 @@
 #include <vector>
 
 namespace firstlight::render {
-
-/// Rays that are done, by kind.
-struct RayCounts {
-  std::array<std::uint64_t, 4> by_kind{};  ///< indexed by RayKind
-  // Of the feelers, those that are known by their direction, so they are not traced:
-  std::uint64_t clear = 0;
-  std::uint64_t blocked = 0;
-
-  std::uint64_t& of(RayKind kind) { return by_kind[static_cast<std::size_t>(kind)]; }
-  std::uint64_t of(RayKind kind) const { return by_kind[static_cast<std::size_t>(kind)]; }
-  std::uint64_t total() const { return by_kind[0] + by_kind[1] + by_kind[2] + by_kind[3]; }
-  std::uint64_t traced() const { return total() - clear - blocked; }
-  RayCounts& operator+=(const RayCounts& other);
-  RayCounts operator-(const RayCounts& before) const;
-};
 
 /// One worker's tracing step: nearest hits of a batch of tasks, then local shading. It never recurses along a ray tree
 /// and never traces a feeler it spawns.

@@ -1,19 +1,21 @@
 #pragma once
 
-#include "render/accel/accel.h"
-#include "render/scene/scene.h"
-#include "render/trace/medium_table.h"
-
 namespace firstlight::render {
 
-/// What tracing reads: the scene, its hierarchy, and the shared table of media.
+class Accel;
+struct Camera;
+class MediumTable;
+struct Scene;
+
+/// What tracing reads: the scene, its hierarchy, and the shared table of media. Those who only hand it on need to
+/// include nothing else.
 struct TraceContext {
   const Scene& scene;
   const Accel& accel;
   MediumTable& media;
   const Camera* other_camera = nullptr;  ///< to look at the scene by instead of its own
 
-  const Camera& camera() const { return other_camera != nullptr ? *other_camera : scene.camera; }
+  const Camera& camera() const;
 };
 
 }  // namespace firstlight::render

@@ -13,8 +13,11 @@
 #include "parser/parser.h"
 #include "priority/driver.h"
 #include "priority/order.h"
+#include "render/accel/accel.h"
 #include "render/film/preview.h"
 #include "render/image/difference.h"
+#include "render/scene/scene_index.h"
+#include "render/trace/medium_table.h"
 
 #include <fmt/format.h>
 
@@ -76,7 +79,7 @@ int main(int argc, char** argv) {
   if (loaded.scene == nullptr) fail("cannot read the scene " + arguments[0]);
   const render::Accel accel(*loaded.scene, every_feeler ? render::Foresight::none : render::Foresight::some);
   priority::SchemeInput input;
-  input.scene = loaded.scene.get();
+  input.scene = render::index_of(*loaded.scene);
   input.width = load.width;
   input.height = load.height;
   input.compile = parser::compile_text;

@@ -10,6 +10,9 @@
 #include "priority/driver.h"
 #include "priority/order.h"
 #include "priority/steering.h"
+#include "render/accel/accel.h"
+#include "render/scene/scene_index.h"
+#include "render/trace/medium_table.h"
 
 #include <fmt/format.h>
 
@@ -62,7 +65,7 @@ int main(int argc, char** argv) {
   const render::Accel accel(*loaded.scene);
   render::Film film(load.width, load.height);
   priority::SchemeInput input;
-  input.scene = loaded.scene.get();
+  input.scene = render::index_of(*loaded.scene);
   input.width = load.width;
   input.height = load.height;
   input.compile = parser::compile_text;

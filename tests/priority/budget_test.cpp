@@ -26,7 +26,7 @@ class QueueMemory : public testing::Test {
  protected:
   TraceResult render_with(std::string_view text, std::size_t memory, int threads, std::vector<render::Rgb>& colors) {
     std::string error;
-    const auto order = Order::parse(text, {.scene = &room_.scene(), .width = kWidth, .height = kHeight}, error);
+    const auto order = Order::parse(text, {.scene = index_of(room_.scene()), .width = kWidth, .height = kHeight}, error);
     EXPECT_TRUE(order) << error;
     const auto scheme = order->scheme();
     TraceOptions options;

@@ -3,7 +3,8 @@
 #include "render/accel/accel.h"
 #include "render/film/film.h"
 #include "render/scene/scene.h"
-#include "render/trace/step.h"
+#include "render/trace/medium_table.h"
+#include "render/trace/trace_context.h"
 
 #include <memory>
 

@@ -2,6 +2,7 @@
 
 #include "priority/order.h"
 #include "render/scene/scene.h"
+#include "render/scene/scene_index.h"
 
 #include <gtest/gtest.h>
 
@@ -41,7 +42,7 @@ inline const render::Scene& scene_to_order() {
 
 inline SchemeInput scene_input() {
   SchemeInput input;
-  input.scene = &scene_to_order();
+  input.scene = render::index_of(scene_to_order());
   input.width = kPictureWidth;
   input.height = kPictureHeight;
   return input;

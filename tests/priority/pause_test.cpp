@@ -33,7 +33,7 @@ class Pause : public testing::TestWithParam<int> {
  protected:
   void begin(std::string_view text, Observer* observer = nullptr, const std::atomic<bool>* stop = nullptr) {
     std::string error;
-    auto order = Order::parse(text, {.scene = &room_.scene(), .width = kWidth, .height = kHeight}, error);
+    auto order = Order::parse(text, {.scene = index_of(room_.scene()), .width = kWidth, .height = kHeight}, error);
     ASSERT_TRUE(order) << error;
     steering_ = std::make_unique<Steering>(std::move(*order));
     steering_->pause();  // so that nothing is over before the test looks

@@ -87,7 +87,7 @@ class AnyOrder : public testing::Test {
                              options.queue_memory, antialias));
 
     std::string error;
-    const auto order = Order::parse(text, {.scene = &scene.scene(), .width = kWidth, .height = kHeight}, error);
+    const auto order = Order::parse(text, {.scene = index_of(scene.scene()), .width = kWidth, .height = kHeight}, error);
     ASSERT_TRUE(order) << error;
     Steering steering(*order);
     const std::shared_ptr<const Scheme> scheme = order->scheme();

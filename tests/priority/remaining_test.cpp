@@ -26,7 +26,7 @@ constexpr double kStep = 0x1p-20;  // of Progress::remaining, times the pixels
 
 std::shared_ptr<const Scheme> scheme_of(std::string_view text, const SmallScene& scene) {
   std::string error;
-  const auto order = Order::parse(text, {.scene = &scene.scene(), .width = kWidth, .height = kHeight}, error);
+  const auto order = Order::parse(text, {.scene = index_of(scene.scene()), .width = kWidth, .height = kHeight}, error);
   EXPECT_TRUE(order) << text << ": " << error;
   return order ? order->scheme() : nullptr;
 }

@@ -2,7 +2,8 @@
 
 #include "render/accel/accel.h"
 #include "render/scene/scene.h"
-#include "render/trace/step.h"
+#include "render/trace/medium_table.h"
+#include "render/trace/trace_context.h"
 
 #include <memory>
 #include <string>
