@@ -4,6 +4,7 @@
 #include "render/scene/scene_builder.h"
 #include "render/trace/medium_table.h"
 #include "render/trace/primary.h"
+#include "render/trace/start_medium.h"
 
 #include "tests/render/accel_test_support.h"
 

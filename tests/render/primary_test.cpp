@@ -1,6 +1,7 @@
 #include "render/trace/primary.h"
 
 #include "render/scene/scene_builder.h"
+#include "render/trace/medium_table.h"
 
 #include <gtest/gtest.h>
 

@@ -1,6 +1,7 @@
 #include "render/camera/projection.h"
 
 #include "render/scene/scene_builder.h"
+#include "render/trace/medium_table.h"
 #include "render/trace/primary.h"
 #include "render/trace/start_medium.h"
 
