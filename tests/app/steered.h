@@ -3,6 +3,8 @@
 #include "app/desk.h"
 #include "app/steer_commands.h"
 #include "priority/steering.h"
+#include "render/scene/scene.h"
+#include "render/scene/scene_index.h"
 
 #include <gtest/gtest.h>
 
@@ -21,7 +23,7 @@ struct Steered {
   priority::Order order_of(const std::string& text) {
     scene.lights.resize(2);
     std::string error;
-    auto order = priority::Order::parse(text, {&scene, 320, 240}, error);
+    auto order = priority::Order::parse(text, {index_of(scene), 320, 240}, error);
     EXPECT_TRUE(order) << error;
     return std::move(*order);
   }

@@ -30,7 +30,7 @@ struct Rendered {
 
 std::shared_ptr<const Scheme> scheme_of(MirrorRoom& room, std::string_view text) {
   std::string error;
-  const auto order = Order::parse(text, {&room.scene(), kWidth, kHeight}, error);
+  const auto order = Order::parse(text, {index_of(room.scene()), kWidth, kHeight}, error);
   EXPECT_TRUE(order) << error;
   return order->scheme();
 }
