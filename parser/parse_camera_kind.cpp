@@ -20,7 +20,7 @@ struct Row {
   CameraKind kind;
 };
 
-/// Of cylinders the first row counts, that of type 1; the others follow it.
+/// The first row counts of cylinders, that of type 1; the others follow it.
 constexpr auto kRows = std::to_array<Row>({
 #define CAMERA(kind, word, maker) {Keyword::word, CameraKind::kind},
 #include "render/camera/cameras.def"

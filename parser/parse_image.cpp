@@ -160,7 +160,7 @@ bool accept_palette(Reader& reader, ImageUse& image) {
   return true;
 }
 
-/// What the numbers of pictures mean, by what the scene has said so far.
+/// The meaning of the numbers of pictures, by what the scene has said so far.
 render::ImageGamma image_gamma(const LanguageState& language) {
   using Unstated = render::ImageGamma::Unstated;
   const bool is_old = language.effective_version() < 370;

@@ -26,7 +26,7 @@ struct Draft {
   Token beam_word, parallel_word, area_word, looks_like_word, projected_through_word;
 };
 
-/// What a kind of light begins with.
+/// The values that a kind of light begins with.
 struct KindRow {
   std::string_view word;  ///< of `point` none: its name is no keyword
   LightKind kind;

@@ -9,7 +9,7 @@ using render::ShapePtr;
 
 namespace {
 
-/// What is said about a patch; its type and accuracy change nothing that is seen.
+/// Reads what is said about a patch; its type and accuracy change nothing that is seen.
 struct Draft : render::BicubicPatchParameters {
   int type = -1;
 };

@@ -35,7 +35,7 @@ class TrueTypeFont {
   Glyph glyph(std::uint32_t index, bool blank) const;
   double advance(std::uint32_t index) const;
   double left_bearing(std::uint32_t index) const;
-  /// What is added to the way from one glyph to the next.
+  /// An addition to the way from one glyph to the next.
   double kerning(std::uint32_t left, std::uint32_t right) const;
 
  private:

@@ -44,7 +44,7 @@ void work(Frame& frame, Shared& shared, const TraceOptions& options, std::size_t
   frame.leave();
 }
 
-/// Of a hit: area lights may take one for each of their points.
+/// The most feelers of a hit: area lights may take one for each of their points.
 std::uint64_t most_feelers(std::span<const render::Light> lights) {
   std::uint64_t sum = 0;
   for (const render::Light& light : lights) {

@@ -326,7 +326,7 @@ void SceneBuilder::State::add_light(const Object& object, const Inherited& paren
   light.group = parent.group_at_hand;
   const ObjectTable::Names names = objects.within(parent.names, object.extras->names);
   if (light.looks_like) {
-    Look& look = looks.emplace_back(light.looks_like, parent);
+    Look& look = looks.emplace_back(Look{light.looks_like, parent});
     look.around.to_world = Transform();
     look.around.moves = nullptr;
     look.around.inverted = false;
