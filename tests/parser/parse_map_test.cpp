@@ -156,7 +156,7 @@ TEST(ParseImage, FormatsAreWordsOrTheExtension) {
 }
 
 TEST(ParseImage, ContinuousPotentialsHaveAPaletteAndAnEvenWidth) {
-  const PictureFile file("firstlight_parse_image.bin");
+  const PictureFile file("firstlight_parse_potential.bin");
   EXPECT_TRUE(says(pigment_error("image_map { pot " + file.quoted() + " }"), "it is no continuous potential"));
 }
 
