@@ -209,7 +209,7 @@ TEST(ParseImage, MistakesAreNamed) {
 }
 
 TEST(ParseImage, OnlyImageMapsAreStrictAboutTheirProjection) {
-  const PictureFile file("firstlight_parse_image.ppm");
+  const PictureFile file("firstlight_parse_projection.ppm");
   const auto normal = normal_of("bump_map { ppm " + file.quoted() + " map_type 3 }");
   EXPECT_EQ(parameters<render::ImageParameters>(normal.pattern).image->projection,
             render::ImageUse::Projection::planar);
