@@ -10,7 +10,7 @@
 
 namespace firstlight::priority {
 
-/// What a scheme may know of the picture beside the tasks.
+/// The picture as far as a scheme may know it, beside the tasks.
 struct SchemeInput {
   /// Makes a program of an expression over the named parameters, which are its arguments in their order.
   using Compile =

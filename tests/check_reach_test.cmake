@@ -3,20 +3,7 @@
 
 cmake_minimum_required(VERSION 3.25)
 
-function(check name expected_result expected_text)
-  execute_process(COMMAND "${CMAKE_COMMAND}" "-DROOT=${SCRATCH}" -P "${CHECKER}"
-    RESULT_VARIABLE result OUTPUT_VARIABLE output ERROR_VARIABLE output)
-  if(result EQUAL 0)
-    set(result passes)
-  else()
-    set(result fails)
-  endif()
-  string(FIND "${output}" "${expected_text}" at)
-  if(NOT result STREQUAL expected_result OR at EQUAL -1)
-    message(FATAL_ERROR "${name}: expected that it ${expected_result} with '${expected_text}', it ${result} with:\n${output}")
-  endif()
-  message(STATUS "${name}: ${result}, as it should")
-endfunction()
+include("${CMAKE_CURRENT_LIST_DIR}/checker_test.cmake")
 
 file(REMOVE_RECURSE "${SCRATCH}")
 file(WRITE "${SCRATCH}/render/shape/shape.h" "#pragma once\n")

@@ -13,7 +13,7 @@
 
 namespace firstlight::render {
 
-/// What a scene is seen by and how large the picture is. It stands beside the frozen scene, so that another view needs
+/// The camera by which a scene is seen, and the size of the picture. It stands beside the frozen scene, so that another view needs
 /// no other scene. Pre: the camera outlives it.
 struct View {
   const Camera& camera;
@@ -54,7 +54,7 @@ class Projection {
   virtual ~Projection() = default;
   /// Replaces `rays` by those of `places`.
   virtual void project(const PicturePlaces& places, CameraRays& rays) const = 0;
-  /// What holds the origins of all rays; one point where they begin in one.
+  /// A box about the origins of all rays; one point where they begin in one.
   virtual Box3 origins() const = 0;
 };
 using ProjectionPtr = std::unique_ptr<const Projection>;

@@ -9,7 +9,7 @@
 
 namespace firstlight::render {
 
-/// What of a file's colours and its alpha is to be known beside its numbers.
+/// How a file's colours and its alpha are to be read, beside its numbers.
 struct ImageKind {
   bool is_premultiplied = false;      ///< the file's colours are multiplied by alpha
   bool blends_premultiplied = false;  ///< neighbours are blended as colours that are

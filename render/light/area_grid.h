@@ -12,7 +12,7 @@ namespace firstlight::render {
 /// Source   POV-Ray 3.7 manual, "Area Lights"; the formulas are POV-Ray 3.7's.
 class AreaGrid {
  public:
-  /// What points are asked for: each has a jitter of its own.
+  /// The purpose that points are asked for: each has a jitter of its own.
   enum class Use { shadow, illumination };
 
   /// Pre: light.area, which outlives it.

@@ -14,6 +14,12 @@ double value(const std::array<double, N>& c, double x) {
   return sum;
 }
 
+double value(std::span<const double> c, double x) {
+  double sum = c.back();
+  for (std::size_t i = c.size() - 1; i-- > 0;) sum = sum * x + c[i];
+  return sum;
+}
+
 template <std::size_t N>
 std::array<double, N - 1> derivative(const std::array<double, N>& c) {
   std::array<double, N - 1> d;
@@ -23,9 +29,8 @@ std::array<double, N - 1> derivative(const std::array<double, N>& c) {
 
 /// The root between `a` and `b`, where the curve is monotone and changes sign: Newton's steps, kept in the bracket by
 /// bisection.
-template <std::size_t N>
-double bracketed_root(const std::array<double, N>& c, const std::array<double, N - 1>& slope, double a, double b,
-                      bool negative_at_a) {
+template <class Curve, class Slope>
+double bracketed_root(const Curve& c, const Slope& slope, double a, double b, bool negative_at_a) {
   const double enough = 1e-15 * std::max({std::abs(a), std::abs(b), b - a});
   double x = 0.5 * (a + b);
   for (int round = 0; round < 80; ++round) {
@@ -84,29 +89,6 @@ int roots_between(const std::array<double, N>& c, double low, double high, std::
     negative_at_a = negative_at_b;
   }
   return count;
-}
-
-double value(std::span<const double> c, double x) {
-  double sum = c.back();
-  for (std::size_t i = c.size() - 1; i-- > 0;) sum = sum * x + c[i];
-  return sum;
-}
-
-/// Of orders that are not known beforehand; see the template.
-double bracketed_root(std::span<const double> c, std::span<const double> slope, double a, double b,
-                      bool negative_at_a) {
-  const double enough = 1e-15 * std::max({std::abs(a), std::abs(b), b - a});
-  double x = 0.5 * (a + b);
-  for (int round = 0; round < 80; ++round) {
-    const double f = value(c, x);
-    ((f < 0.0) == negative_at_a ? a : b) = x;
-    double next = x - f / value(slope, x);
-    if (!(next > a && next < b)) next = 0.5 * (a + b);
-    const double step = std::abs(next - x);
-    x = next;
-    if (step <= enough || b - a <= enough) break;
-  }
-  return x;
 }
 
 }  // namespace

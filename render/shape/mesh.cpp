@@ -1,5 +1,6 @@
 #include "render/shape/mesh.h"
 
+#include "render/math/dominant_axis.h"
 #include "render/math/ray_tree.h"
 #include "render/math/transform.h"
 #include "render/shape/placed.h"
@@ -14,15 +15,6 @@ namespace firstlight::render {
 namespace {
 
 using Corners = MeshParameters::Corners;
-
-/// The axis of the largest component; of equals the last, as POV-Ray has it.
-int dominant_axis(const Vec3& v) {
-  const double x = std::abs(v.x);
-  const double y = std::abs(v.y);
-  const double z = std::abs(v.z);
-  if (x > y) return x > z ? 0 : 2;
-  return y > z ? 1 : 2;
-}
 
 /// What rays ask of a face. Single precision is POV-Ray's.
 struct Face {

@@ -1,5 +1,6 @@
 #include "render/shape/triangle.h"
 
+#include "render/math/dominant_axis.h"
 #include "render/shape/primitives.h"
 #include "render/shape/tolerance.h"
 
@@ -11,15 +12,6 @@ namespace {
 
 /// On all sides of the box about a triangle, which scenes may ask for. [POV-Ray 3.7]
 constexpr double kPadding = 1e-10;
-
-/// The axis of the largest component; of equals the last, as POV-Ray has it.
-int dominant_axis(const Vec3& v) {
-  const double x = std::abs(v.x);
-  const double y = std::abs(v.y);
-  const double z = std::abs(v.z);
-  if (x > y) return x > z ? 0 : 2;
-  return y > z ? 1 : 2;
-}
 
 /// A triangle has two sides and no inside; inverting it changes nothing.
 class Triangle final : public Shape {

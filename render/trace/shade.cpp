@@ -93,7 +93,6 @@ void Stepper::meet(const RayTask& task, const Ray& ray, const Hit& hit, const Rg
   surface.sum = &sum;
   surface.crossing = crossing;
   surface.weight = weight;
-  surface.depth = hit.depth;
   surface.level = task.level + (continued ? 0 : 1);
   surface.layer_count = 0;
   surface.own_light = Rgb(0.0f);
@@ -480,7 +479,7 @@ bool Stepper::spawn_transmission(const Coating& coating) {
 
   Rgb passed = Rgb(static_cast<float>(interior.refraction_scale));
   if (std::abs(interior.fade_distance) > kNegligible && media.contains(around, own)) {
-    passed *= faded_light(interior, surface.depth);
+    passed *= faded_light(interior, surface.crossing.depth);
   }
 
   const Vec3 direction = block_->direction.vector(hit);

@@ -66,7 +66,6 @@ class Stepper {
     Contribution* sum;  ///< of the task
     Crossing crossing;
     Rgb weight;         ///< of the task, less what the way to the surface takes
-    double depth;
     int level;                ///< of everything spawned here
     std::size_t layer_count;  ///< in the HitBlock's columns
     Rgb own_light;
