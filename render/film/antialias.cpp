@@ -48,8 +48,4 @@ Antialiasing::Antialiasing(const AntialiasSettings& settings, Film& film) {
   }
 }
 
-Antialiasing::~Antialiasing() = default;
-
-std::span<const SamplePoint> Antialiasing::next() { return method_->next(); }
-
 }  // namespace firstlight::render

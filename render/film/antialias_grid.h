@@ -1,8 +1,11 @@
 #pragma once
 
-#include "render/film/antialias.h"
+#include "render/film/antialias_settings.h"
 #include "render/film/contrast.h"
+#include "render/film/film.h"
+#include "render/film/jitter.h"
 #include "render/film/sample_round.h"
+#include "render/film/sample_rounds.h"
 
 #include <cstdint>
 #include <optional>
@@ -17,7 +20,7 @@ namespace firstlight::render {
 /// POV-Ray decides pixel by pixel, within a block of pixels, and compares with what the neighbours are by then: they
 /// may have a grid already. Here all pixels are decided at once, as far as what they are compared with is known; the
 /// rest after the next round.
-class GridSampling final : public Antialiasing::Method {
+class GridSampling final : public SampleRounds {
  public:
   GridSampling(const AntialiasSettings& settings, Film& film);
   std::span<const SamplePoint> next() override;

@@ -1,9 +1,12 @@
 #pragma once
 
-#include "render/film/antialias.h"
+#include "render/film/antialias_settings.h"
 #include "render/film/contrast.h"
+#include "render/film/film.h"
+#include "render/film/jitter.h"
 #include "render/film/place_table.h"
 #include "render/film/sample_round.h"
+#include "render/film/sample_rounds.h"
 
 #include <array>
 #include <cstdint>
@@ -16,7 +19,7 @@ namespace firstlight::render {
 ///
 /// Quarters are looked at level by level over the whole picture, so that the corners they share, also with quarters of
 /// other pixels, are traced once.
-class Halving final : public Antialiasing::Method {
+class Halving final : public SampleRounds {
  public:
   Halving(const AntialiasSettings& settings, Film& film);
   std::span<const SamplePoint> next() override;

@@ -1,7 +1,8 @@
 #pragma once
 
-#include "render/film/antialias.h"
+#include "render/film/film.h"
 #include "render/film/jitter.h"
+#include "render/film/sample_rounds.h"
 
 #include <cstddef>
 #include <cstdint>
