@@ -6,6 +6,7 @@
 #include "priority/tile_source.h"
 #include "render/film/antialias.h"
 #include "render/film/film.h"
+#include "render/film/place_sampler.h"
 #include "render/trace/primary.h"
 #include "render/trace/trace_context.h"
 
@@ -15,7 +16,7 @@
 
 namespace firstlight::priority {
 
-/// The passes of a picture: a ray for each pixel, then anti-aliasing.
+/// The passes of a picture: a ray for each pixel, those of focal blur, then anti-aliasing.
 class Picture {
  public:
   /// `antialias` may be null: none. Pre: all outlive it, nothing has been added to the film.
@@ -27,9 +28,12 @@ class Picture {
  private:
   render::PrimaryRays rays_;
   FilmSink sink_;
+  std::optional<render::PlaceSampler> places_;
+  std::optional<render::PixelBlur> blur_;
   std::optional<render::Antialiasing> antialiasing_;
   std::optional<TileSource> tiles_;
-  std::optional<RoundSource> rounds_;
+  std::optional<RoundSource> blur_rounds_;
+  std::optional<RoundSource> antialias_rounds_;
   std::vector<Pass> passes_;
 };
 

@@ -24,7 +24,7 @@ bool RoundSource::next(std::size_t /*worker*/, Roots& roots) {
   const auto points = take();
   std::array<render::PrimaryPlace, kPointsOfRoots> places;
   std::ranges::transform(points, places.begin(), [](const render::SamplePoint& point) {
-    return render::PrimaryPlace{point.x, point.y, point.sample};
+    return render::PrimaryPlace{point.x, point.y, point.sample, point.number};
   });
   rays_.append(std::span(places).first(points.size()), roots.rays);
   return !points.empty();

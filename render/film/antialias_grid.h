@@ -4,7 +4,7 @@
 #include "render/film/contrast.h"
 #include "render/film/film.h"
 #include "render/film/jitter.h"
-#include "render/film/sample_round.h"
+#include "render/film/place_sampler.h"
 #include "render/film/sample_rounds.h"
 
 #include <cstdint>
@@ -22,7 +22,7 @@ namespace firstlight::render {
 /// rest after the next round.
 class GridSampling final : public SampleRounds {
  public:
-  GridSampling(const AntialiasSettings& settings, Film& film);
+  GridSampling(const AntialiasSettings& settings, Film& film, PlaceSampler& sampler);
   std::span<const SamplePoint> next() override;
 
  private:
@@ -58,7 +58,7 @@ class GridSampling final : public SampleRounds {
   Film& film_;
   Contrast contrast_;
   Jitter jitter_;
-  SampleRound round_;
+  PlaceSampler& sampler_;  ///< of the round
   std::vector<double> offsets_;    ///< of the grid's columns, and of its rows, from the middle of the pixel
   std::vector<Rgb> edge_;          ///< just outside: the row above the picture, then the column on its left
   std::size_t edge_asked_ = 0;     ///< how many of them are traced or asked for

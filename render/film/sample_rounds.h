@@ -10,6 +10,7 @@ struct SamplePoint {
   double x = 0.0;  ///< picture coordinates, as PicturePlaces::add() takes them; may lie a pixel outside of the picture
   double y = 0.0;
   std::uint32_t sample = 0;  ///< on the film
+  std::uint32_t number = 0;  ///< among the samples of its place, of which focal blur takes several
 };
 
 /// Rounds of samples that refine a picture: what is asked for depends on the colours that are there.
