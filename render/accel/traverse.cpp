@@ -48,7 +48,7 @@ class ClosestSearch {
     runner_up_[i] = rays_.max_depth[i];
     if (plane >= 0) {
       const PlaneLeaf& leaf = leaves_.planes[static_cast<std::size_t>(plane)];
-      hit = {depth, leaf.head.part, 0, leaf.head.shape, leaf.head.solid, {}};
+      set(hit, depth, 0, {}, leaf.head);
       if (leaf.in_doubt) runner_up_[i] = depth;
     } else {
       hit = Hit();
@@ -123,7 +123,7 @@ class ClosestSearch {
       return;
     }
     if (head.solid != hit.solid) runner_up_[i] = hit.depth;
-    hit = {depth, head.part, face, head.shape, head.solid, place};
+    set(hit, depth, face, place, head);
     float_rays_.last[i] = FloatRays::above(depth);
   }
 
@@ -143,6 +143,17 @@ class ClosestSearch {
     early_ |= std::uint64_t{1} << i;
     early_solid_[i] = head.solid;
     early_depth_[i] = nearest->depth;
+  }
+
+  /// Member by member: a hit that is put together elsewhere and copied is written twice.
+  static HWY_INLINE void set(Hit& hit, double depth, std::uint32_t face, const std::array<double, 2>& place,
+                             const LeafHead& head) {
+    hit.depth = depth;
+    hit.shape = head.shape;
+    hit.part = head.part;
+    hit.face = face;
+    hit.place = place;
+    hit.solid = head.solid;
   }
 
   const Leaves& leaves_;

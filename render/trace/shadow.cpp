@@ -87,19 +87,18 @@ Rgb Shadow::passing_light(const Light& light, std::uint32_t medium, Ray ray, dou
 bool Shadow::filter_light(const Hit& hit, const Ray& ray, Rgb& light) {
   const Part& part = context_.scene.parts[hit.part];
   const Vec3 point = ray.at(hit.depth);
-  const Crossing crossing = hit.crossing();
   const bool from_inside =
-      part.interior_texture != kNoIndex && hit.shape->normal(point, crossing).dot(ray.direction) > 0.0;
+      part.interior_texture != kNoIndex && hit.shape->normal(point, hit).dot(ray.direction) > 0.0;
   const double caustics = context_.scene.interiors[part.interior]->caustics;
   bool found = part.has_shape_textures;
   Rgb sum(0.0f);
-  for_each_texture(context_.scene, point, crossing, from_inside, worn_, [&](std::uint32_t texture, double share) {
+  for_each_texture(context_.scene, point, hit, from_inside, worn_, [&](std::uint32_t texture, double share) {
     found = true;
-    ask_at(crossing, point, ray, part.uv_mapping || caustics != 0.0 || surfaces_.even_coat(texture) == nullptr);
+    ask_at(hit, point, ray, part.uv_mapping || caustics != 0.0 || surfaces_.goes_by_surface(texture));
     if (part.uv_mapping) asked_->at.set(0, Vec3(asked_->u[0], asked_->v[0], 0.0));
-    if (!part.has_shape_textures) return surfaces_.filter(texture, *asked_, {&light, 1}, caustics);
+    if (!part.has_shape_textures) return surfaces_.filter(texture, *asked_, {&light, 1}, coats_, caustics);
     Rgb tint(1.0f);
-    surfaces_.filter(texture, *asked_, {&tint, 1}, caustics);
+    surfaces_.filter(texture, *asked_, {&tint, 1}, coats_, caustics);
     sum += tint * static_cast<float>(share);
   });
   if (part.has_shape_textures) light *= sum;

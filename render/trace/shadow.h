@@ -48,6 +48,7 @@ class Shadow {
   const Veils& veils_;
   bool takes_parts_;
   std::unique_ptr<SurfacePoints> asked_;
+  CoatList coats_;
   std::vector<TextureShare> worn_;
   std::vector<Crossing> crossings_;  ///< of a window
 };

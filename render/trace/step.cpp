@@ -37,10 +37,6 @@ RayCounts RayCounts::operator-(const RayCounts& before) const {
   return more;
 }
 
-bool is_worth_tracing(const Settings& settings, const RayTask& task) {
-  return task.level < settings.max_trace_level && !(task.adc_weight() < settings.adc_bailout);
-}
-
 Stepper::Stepper(const TraceContext& context, std::shared_ptr<const SurfaceTable> surfaces)
     : context_(context),
       table_(std::move(surfaces)),
@@ -48,6 +44,7 @@ Stepper::Stepper(const TraceContext& context, std::shared_ptr<const SurfaceTable
       bound_(context.scene, context.camera()),
       shadow_(context, *table_, veils_of_scene_),
       rays_(std::make_unique<RayBlock>()),
+      asked_(std::make_unique_for_overwrite<SurfacePoints>()),
       block_(std::make_unique<HitBlock>()),
       feelers_(std::make_unique<FeelerBlock>()) {
   for (const Light& light : context.scene.lights) {
@@ -129,9 +126,7 @@ void Stepper::step_radiance(std::span<const RayTask> tasks, std::span<const Ray>
     const RayTask& task = tasks[i];
     light[i] = {task.sample, {}, -bound_.at_stake(task)};
     if (hits_[i].part == kNoIndex) continue;
-    const Part& part = context_.scene.parts[hits_[i].part];
-    const bool is_glossy = part.has_shape_textures || (part.texture != kNoIndex && table_->is_glossy(part.texture));
-    order[is_glossy ? --glossy : matt++] = static_cast<std::uint8_t>(i);
+    order[table_->is_glossy(hits_[i].part) ? --glossy : matt++] = static_cast<std::uint8_t>(i);
   }
   see_surroundings(tasks, light);
   const bool is_veiled = !veils_of_scene_.empty();
@@ -139,7 +134,7 @@ void Stepper::step_radiance(std::span<const RayTask> tasks, std::span<const Ray>
     for (std::size_t k = first; k < end; ++k) {
       const std::size_t i = order[k];
       const Rgb weight = is_veiled ? tasks[i].weight() * veils_[i].kept : tasks[i].weight();
-      meet(tasks[i], {tasks[i].origin, block.direction.vector(i)}, hits_[i], weight, light[i]);
+      meet(i, tasks[i], weight, light[i]);
     }
   };
   meet_all(0, matt);
