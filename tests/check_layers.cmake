@@ -20,7 +20,7 @@ set(render_surface    ${render_scene} render/scene)
 set(render_accel      ${render_scene} render/scene)
 set(render_trace      ${render_accel} render/accel render/surface)
 set(below_parser      ${render_surface} render/surface)
-set(parser_text       ${below_parser} parser/expression)  # whose formulas lie beside the tokens that they stand for
+set(parser_text       ${below_parser})
 set(parser_expression ${below_parser} parser/text parser/directive)
 set(parser_directive  ${below_parser} parser/text parser/expression)
 set(parser_statement  ${below_parser} parser/text parser/expression parser/directive)

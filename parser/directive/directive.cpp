@@ -113,7 +113,11 @@ void Interpreter::open_scene(const std::string& path) {
 const TokenFile& Interpreter::tokens_of(const SourceFile& file) {
   if (file.index >= token_files_.size()) token_files_.resize(file.index + 1);
   std::unique_ptr<TokenFile>& slot = token_files_[file.index];
-  if (!slot) slot = std::make_unique<TokenFile>(tokenize(file, symbols_));
+  if (!slot) {
+    slot = std::make_unique<TokenFile>(tokenize(file, symbols_));
+    slot->first = tokens_cut_;
+    tokens_cut_ += slot->tokens.size();
+  }
   return *slot;
 }
 

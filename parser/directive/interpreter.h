@@ -2,6 +2,7 @@
 
 #include "parser/directive/language_state.h"
 #include "parser/directive/scene_context.h"
+#include "parser/expression/formula.h"
 #include "parser/expression/random_streams.h"
 #include "parser/text/token_stream.h"
 #include "render/scene/object_probe.h"
@@ -58,14 +59,13 @@ class Interpreter final : public TokenStream {
   bool set_assumed_gamma(render::WorkingGamma gamma, double exponent = 1.0) {
     return language_.set_assumed_gamma(gamma, exponent);
   }
+  /// The formula for the expression that is next, or that stands behind `opening` if it is named; null when there is
+  /// none, or it cannot be used here, or what is behind it is not the `closing` that is named.
+  const Formula* next_formula(Formula::Kind kind, Punctuation opening = Punctuation::none,
+                              Punctuation closing = Punctuation::none);
   /// Takes the expression of what next_formula() has given, and the marks around it, and evaluates it. False when the
-  /// formula does not hold now: then nothing is taken. `terms`: as for parse_sum().
-  bool evaluate(const Formula& formula, std::uint8_t terms, Numbers& result, Punctuation closing = Punctuation::none) {
-    Formula::Values values;
-    if (!accept_formula(formula, closing, values)) return false;
-    formula.evaluate(*this, values, terms, result);
-    return true;
-  }
+  /// formula does not hold now: then nothing is taken. `terms`: as for parse_sum(). Pre: `result` is as it was made.
+  bool evaluate(const Formula& formula, std::uint8_t terms, Numbers& result, Punctuation closing = Punctuation::none);
   RandomStreams& random() { return random_; }
   const render::LoadOptions& options() const { return options_; }
   /// Of a function, at parse time; `name` is where it is called.
@@ -218,7 +218,9 @@ class Interpreter final : public TokenStream {
   SceneContext& context_;
   LanguageState language_;
   RandomStreams random_;
+  FormulaTable formulas_;
   std::vector<std::unique_ptr<TokenFile>> token_files_;  // by SourceFile::index
+  std::size_t tokens_cut_ = 0;                           // in all of them
   std::vector<Condition> conditions_;
   Part picked_;                          // by the last pick_part()
   std::vector<Scopes::Slot> arguments_;  // of the macros whose arguments are being read

@@ -9,6 +9,8 @@
 
 namespace firstlight::parser {
 
+class Interpreter;
+
 /// A formula for names that stand for values of known sizes. Then the sizes of all operands are known, so they lie side
 /// by side on a stack of plain numbers, and a vector written in the text is there as soon as its components are.
 class FormulaProgram {
