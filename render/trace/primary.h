@@ -12,7 +12,9 @@
 namespace firstlight::render {
 
 class CompiledNormal;
+class Lens;
 class MediumTable;
+struct FocalBlur;
 struct Scene;
 
 /// A place of the picture that is to light a sample of the film, in picture coordinates (see PicturePlaces::add).
@@ -20,6 +22,7 @@ struct PrimaryPlace {
   double x;
   double y;
   std::uint32_t sample;
+  std::uint32_t number = 0;  ///< of the ray among those of the place, where there is focal blur
 };
 
 /// Primary rays and their tasks, place by place. The rays are kept beside the tasks, which have no directions, in full
@@ -50,6 +53,8 @@ class PrimaryRays {
 
   int width() const { return view_.width; }
   int height() const { return view_.height; }
+  /// Null: a place needs one ray.
+  const FocalBlur* blur() const;
   /// Appends the rays through the places, in their order.
   void append(std::span<const PrimaryPlace> places, PrimaryBatch& batch) const;
 
@@ -61,6 +66,7 @@ class PrimaryRays {
   const View view_;
   ProjectionPtr projection_;
   StartMedium medium_;
+  std::unique_ptr<const Lens> lens_;  ///< null: none
   std::unique_ptr<const CompiledNormal> normal_;  ///< null: none
   RayTask unmade_;
 };

@@ -1,4 +1,4 @@
-#include "render/film/jitter.h"
+#include "render/math/place_jitter.h"
 
 #include <array>
 #include <cstddef>
@@ -59,10 +59,10 @@ double move_of(std::uint32_t column, std::uint32_t row) {
 
 }  // namespace
 
-PicturePoint Jitter::move(const PicturePoint& place) const {
-  if (scale_ <= 0.0) return place;
-  return {place.x + move_of(steps(place.x, 1021.0), steps(place.y, 1019.0)) * scale_,
-          place.y + move_of(steps(place.x, 1019.0), steps(place.y, 1021.0)) * scale_};
+std::uint32_t shuffled(std::uint32_t index) { return kShuffled[index & kMask]; }
+
+PlaceJitter place_jitter(double x, double y) {
+  return {move_of(steps(x, 1021.0), steps(y, 1019.0)), move_of(steps(x, 1019.0), steps(y, 1021.0))};
 }
 
 }  // namespace firstlight::render

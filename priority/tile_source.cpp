@@ -1,14 +1,14 @@
-#include "priority/primary_order.h"
+#include "priority/tile_source.h"
 
 #include <algorithm>
 #include <map>
+#include <span>
+#include <utility>
 
 namespace firstlight::priority {
 namespace {
 
 constexpr Slot kTopSlot = kSlots - 1;
-constexpr std::size_t kPointsOfBatch = 256;
-constexpr double kMiddleOfPixel = 0.5;
 
 /// How much a primary ray adds to what the preview shows in its place, which is filled from a grid of twice the stride.
 /// Measured with the sphere-flake in a room of mirrors: the area under the curve of the error is smallest.
@@ -58,14 +58,8 @@ class TileSlots {
 
 }  // namespace
 
-PrimaryOrder::PrimaryOrder(const render::TraceContext& context, render::Film& film, render::PrimaryTiles::Order order,
-                           const render::AntialiasSettings* antialias)
-    : rays_(context.scene, context.media, {context.camera(), film.width(), film.height()}),
-      tiles_(film.width(), film.height(), antialias != nullptr ? render::base_offset(*antialias) : kMiddleOfPixel,
-             order) {
-  if (antialias != nullptr) {
-    antialias_ = std::make_unique<render::Antialiasing>(*antialias, film);
-  }
+TileSource::TileSource(const render::PrimaryRays& rays, render::Film& film, render::PrimaryTiles tiles)
+    : rays_(rays), film_(film), tiles_(std::move(tiles)) {
   for (std::uint32_t tile = 0; tile < tiles_.count(); ++tile) {
     const std::size_t owner = film.owner_of(tiles_.corner_of(tile));
     if (owner >= waiting_.size()) waiting_.resize(owner + 1);
@@ -74,7 +68,7 @@ PrimaryOrder::PrimaryOrder(const render::TraceContext& context, render::Film& fi
   show_top_locked();
 }
 
-void PrimaryOrder::sort(const Scheme& scheme, std::uint64_t version) {
+void TileSource::sort(const Scheme& scheme, std::uint64_t version) {
   const std::lock_guard lock(mutex_);
   if (version <= version_) return;
   version_ = version;
@@ -91,7 +85,7 @@ void PrimaryOrder::sort(const Scheme& scheme, std::uint64_t version) {
   show_top_locked();
 }
 
-PrimaryOrder::Waiting* PrimaryOrder::next_locked(std::size_t worker) {
+TileSource::Waiting* TileSource::next_locked(std::size_t worker) {
   Waiting* next = worker < waiting_.size() && waiting_[worker].first() != nullptr ? &waiting_[worker] : nullptr;
   for (Waiting& waiting : waiting_) {
     if (waiting.first() == nullptr) continue;
@@ -100,43 +94,35 @@ PrimaryOrder::Waiting* PrimaryOrder::next_locked(std::size_t worker) {
   return next;
 }
 
-bool PrimaryOrder::next(std::size_t worker, Batch& batch) {
-  batch.rays.clear();
-  std::uint32_t tile = 0;
-  {
-    const std::lock_guard lock(mutex_);
-    Waiting* const next = next_locked(worker);
-    if (next == nullptr) {
-      const auto points = points_.first(std::min(points_.size(), kPointsOfBatch));
-      if (points.empty()) return false;
-      points_ = points_.subspan(points.size());
-      show_top_locked();
-      batch.is_tile = batch.is_coarse = false;
-      std::vector<render::PrimaryPlace> places;
-      places.reserve(points.size());
-      for (const auto& point : points) places.push_back({point.x, point.y, point.sample});
-      rays_.append(places, batch.rays);
-      return true;
-    }
-    tile = next->tiles[next->begun++].number;
-    show_top_locked();
-  }
-  batch.is_tile = true;
-  batch.is_coarse = tile < tiles_.coarse_count();
-  tiles_.fill(tile, rays_, batch.rays);
+bool TileSource::take(std::size_t worker, std::uint32_t& tile) {
+  const std::lock_guard lock(mutex_);
+  Waiting* const next = next_locked(worker);
+  if (next == nullptr) return false;
+  tile = next->tiles[next->begun++].number;
+  show_top_locked();
   return true;
 }
 
-bool PrimaryOrder::refill() {
-  const std::lock_guard lock(mutex_);
-  if (antialias_ == nullptr) return false;
-  points_ = antialias_->next();
-  show_top_locked();
-  return !points_.empty();
+bool TileSource::next(std::size_t worker, Roots& roots) {
+  roots.rays.clear();
+  if (!take(worker, roots.number)) return false;
+  tiles_.fill(roots.number, rays_, roots.rays);
+  return true;
 }
 
-void PrimaryOrder::show_top_locked() {
-  int top = points_.empty() ? kNoSlot : static_cast<int>(kTopSlot);
+RootSource::Reached TileSource::lit(const Roots& roots) {
+  for (const render::RayTask& task : roots.rays.tasks) film_.mark_lit(task.sample);
+  for (const std::uint32_t sample : roots.rays.dark) film_.mark_lit(sample);
+  // Release and acquire: whoever sees the last tile sees the film with all primary light.
+  const bool is_coarse = roots.number < tiles_.coarse_count();
+  Reached reached;
+  reached.preview = is_coarse && coarse_lit_.fetch_add(1, std::memory_order_acq_rel) + 1 == tiles_.coarse_count();
+  reached.first_image = lit_.fetch_add(1, std::memory_order_acq_rel) + 1 == tiles_.count();
+  return reached;
+}
+
+void TileSource::show_top_locked() {
+  int top = kNoSlot;
   for (const Waiting& waiting : waiting_) {
     if (const Tile* const tile = waiting.first(); tile != nullptr) top = std::max(top, static_cast<int>(tile->slot));
   }
