@@ -1,8 +1,8 @@
 #include "parser/function_text.h"
 
-#include "parser/function_compiler.h"
-#include "parser/lexer.h"
-#include "parser/syntax_error.h"
+#include "parser/expression/function_compiler.h"
+#include "parser/text/lexer.h"
+#include "parser/text/syntax_error.h"
 
 #include <algorithm>
 

@@ -1,8 +1,8 @@
 #include "parser/parser.h"
 
-#include "parser/interpreter.h"
-#include "parser/reader.h"
-#include "parser/statements.h"
+#include "parser/directive/interpreter.h"
+#include "parser/directive/reader.h"
+#include "parser/statement/statements.h"
 
 #include <exception>
 

@@ -1,8 +1,8 @@
 # Who may include whom. Fails when an #include breaks the directions between the layers; docs/architecture.md has the
 # picture. Run: cmake -DROOT=<repository> -P tests/check_layers.cmake
 #
-# A layer is a folder under render/, or one of the other top folders. A layer may always include itself, and includes
-# are written from the root of the repository.
+# A layer is a folder under render/ or parser/, or what else lies in one of the top folders. A layer may always include
+# itself, and includes are written from the root of the repository.
 
 cmake_minimum_required(VERSION 3.25)
 
@@ -19,7 +19,12 @@ set(render_scene      render/math render/feature render/image render/function re
 set(render_surface    ${render_scene} render/scene)
 set(render_accel      ${render_scene} render/scene)
 set(render_trace      ${render_accel} render/accel render/surface)
-set(parser            ${render_surface} render/surface)
+set(below_parser      ${render_surface} render/surface)
+set(parser_text       ${below_parser} parser/expression)  # whose formulas lie beside the tokens that they stand for
+set(parser_expression ${below_parser} parser/text parser/directive)
+set(parser_directive  ${below_parser} parser/text parser/expression)
+set(parser_statement  ${below_parser} parser/text parser/expression parser/directive)
+set(parser            ${below_parser} parser/text parser/expression parser/directive parser/statement)
 set(priority          render/math render/function render/scene render/trace render/film)
 set(app               parser priority ${render_trace} render/trace render/film)
 
@@ -29,7 +34,7 @@ set(borders "OpenImageIO/=render/image" "png.h=render/image" "turbojpeg.h=render
 # layer_of(PATH RESULT): render/shape/sphere.h -> render/shape, app/main.cpp -> app, anything else -> "".
 function(layer_of path result)
   set(${result} "" PARENT_SCOPE)
-  if(path MATCHES "^(render/[^/]+)/")
+  if(path MATCHES "^((render|parser)/[^/]+)/")
     set(${result} "${CMAKE_MATCH_1}" PARENT_SCOPE)
   elseif(path MATCHES "^(render|parser|priority|app|tests)/")
     set(${result} "${CMAKE_MATCH_1}" PARENT_SCOPE)

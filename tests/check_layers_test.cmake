@@ -28,7 +28,10 @@ plant(parser/film.h "#pragma once\n#include \"render/film/film.h\"\n" "parser/fi
 plant(parser/queue.cpp "#include \"priority/ray_queue.h\"\n" "parser must not include 'priority/ray_queue.h'")
 plant(priority/shape.cpp "#include \"render/shape/sphere.h\"\n" "priority must not include 'render/shape/sphere.h'")
 plant(priority/texture.cpp "  #  include <render/texture/pigment.h>\n" "priority must not include")
-plant(priority/text.cpp "#include \"parser/lexer.h\"\n" "priority must not include 'parser/lexer.h'")
+plant(priority/text.cpp "#include \"parser/text/lexer.h\"\n" "priority must not include 'parser/text/lexer.h'")
+plant(parser/directive/up.cpp "#include \"parser/statement/statements.h\"\n"
+  "parser/directive must not include 'parser/statement/statements.h'")
+plant(app/inside.cpp "#include \"parser/text/lexer.h\"\n" "app must not include 'parser/text/lexer.h'")
 plant(render/trace/up.cpp "#include \"priority/driver.h\"\n" "render/trace must not include 'priority/driver.h'")
 plant(render/math/up.h "#include \"render/shape/sphere.h\"\n" "render/math must not include")
 plant(render/scene/up.h "#include \"render/film/film.h\"\n" "render/scene must not include")

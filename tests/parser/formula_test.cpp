@@ -1,6 +1,6 @@
 // Text that is replayed is evaluated by formulas; that must not show.
-#include "parser/formula.h"
-#include "parser/lexer.h"
+#include "parser/expression/formula.h"
+#include "parser/text/lexer.h"
 #include "tests/parser/agreement_table.h"
 #include "tests/parser/evaluated.h"
 

@@ -1,6 +1,6 @@
 #include "parser/function_text.h"
 
-#include "parser/function_compiler.h"
+#include "parser/expression/function_compiler.h"
 
 #include <gtest/gtest.h>
 

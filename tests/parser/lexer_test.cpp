@@ -1,6 +1,6 @@
-#include "parser/lexer.h"
+#include "parser/text/lexer.h"
 
-#include "parser/syntax_error.h"
+#include "parser/text/syntax_error.h"
 
 #include <gtest/gtest.h>
 

@@ -1,8 +1,8 @@
 #pragma once
 
-#include "parser/interpreter.h"
-#include "parser/reader.h"
-#include "parser/statements.h"
+#include "parser/directive/interpreter.h"
+#include "parser/directive/reader.h"
+#include "parser/statement/statements.h"
 #include "render/feature/feature.h"
 #include "render/scene/form.h"
 #include "tests/parser/scene_text.h"

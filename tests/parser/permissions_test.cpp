@@ -1,4 +1,4 @@
-#include "parser/permissions.h"
+#include "parser/text/permissions.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "parser/interpreter.h"
+#include "parser/directive/interpreter.h"
 #include "tests/parser/evaluated.h"
 
 #include <chrono>

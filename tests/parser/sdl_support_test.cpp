@@ -1,7 +1,7 @@
 // docs/sdl-support.md is made here, from the table of reserved words and from the tests that use them. To write it
 // anew: FIRSTLIGHT_WRITE_DOCS=1 firstlight_parser_test --gtest_filter='SdlSupport.*'
 
-#include "parser/token.h"
+#include "parser/text/token.h"
 #include "render/feature/feature.h"
 
 #include <gtest/gtest.h>

@@ -1,0 +1,21 @@
+#pragma once
+
+#include "parser/text/token.h"
+#include "parser/text/value.h"
+#include "render/function/spline.h"
+
+#include <optional>
+
+namespace firstlight::parser {
+
+class Interpreter;
+
+/// The kind of spline that a word names.
+std::optional<render::SplineKind> spline_kind(const Token& word);
+
+/// Whether the next token is the name of a function or spline, and a call of it follows.
+bool at_call(Interpreter& in);
+/// The value of that call. Pre: at_call().
+Numbers parse_call(Interpreter& in);
+
+}  // namespace firstlight::parser

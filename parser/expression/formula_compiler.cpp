@@ -1,0 +1,291 @@
+// From text to formulas, by the grammar of parser/expression/expression.cpp.
+#include "parser/expression/arithmetic.h"
+#include "parser/expression/formula.h"
+#include "parser/expression/function_values.h"
+
+#include <algorithm>
+#include <optional>
+
+namespace firstlight::parser {
+
+/// One try to make a formula. Each function reads a part of the expression and gives false when it cannot be part of a
+/// formula; then the try has failed. `terms` is what the place wants, as in Formula::Step.
+class FormulaCompiler {
+ public:
+  using Operation = Formula::Operation;
+
+  FormulaCompiler(const std::vector<Token>& tokens, std::uint32_t begin, Formula& formula)
+      : tokens_(tokens), at_(begin), formula_(formula) {}
+
+  bool compile(Formula::Kind kind) {
+    const std::uint32_t begin = at_;
+    if (!(kind == Formula::Kind::full ? full(Formula::kOfCaller) : sum(Formula::kOfCaller))) return false;
+    const Token& behind = tokens_[at_];
+    if (behind.is_end() || behind.is(Punctuation::period)) return false;
+    formula_.ends_at_hold_ = behind.is(Punctuation::hash) || behind.kind == TokenKind::identifier;
+    formula_.first_ = &tokens_[begin];
+    formula_.end_ = at_;
+    for (std::uint32_t i = begin; i < at_; ++i) {
+      if (tokens_[i].keyword != Keyword::none) formula_.keywords_.push_back(tokens_[i].keyword);
+    }
+    return true;
+  }
+
+ private:
+  /// One level of nesting; `fits()` is false beyond Formula::kDeepest.
+  class Level {
+   public:
+    explicit Level(FormulaCompiler& compiler) : compiler_(compiler) {
+      ++compiler_.depth_;
+      compiler_.formula_.depth_ = std::max(compiler_.formula_.depth_, compiler_.depth_);
+    }
+    ~Level() { --compiler_.depth_; }
+    Level(const Level&) = delete;
+    Level& operator=(const Level&) = delete;
+    bool fits() const { return compiler_.depth_ <= Formula::kDeepest; }
+
+   private:
+    FormulaCompiler& compiler_;
+  };
+
+  const Token& next() const { return tokens_[at_]; }
+  bool accept(Punctuation mark) {
+    if (!next().is(mark)) return false;
+    ++at_;
+    return true;
+  }
+
+  Formula::Step& emit(Operation operation, const Token& token, std::uint8_t terms = 1) {
+    Formula::Step step;
+    step.operation = operation;
+    step.terms = terms;
+    step.token = &token;
+    return formula_.steps_.emplace_back(step);
+  }
+  // A step that leaves one more operand on the stack than `taken` that it takes; false when that is too many.
+  bool grow(std::size_t taken) {
+    height_ = height_ + 1 - taken;
+    return height_ <= Formula::kDeepestStack;
+  }
+  void operate(Operation operation, const Token& mark) {
+    emit(operation, mark);
+    --height_;
+  }
+
+  bool full(std::uint8_t terms) {
+    const Level level(*this);
+    if (!level.fits() || !logical(1) || next().is(Punctuation::question)) return false;
+    if (terms != 1) emit(Operation::promote, next(), terms);
+    return true;
+  }
+
+  bool logical(std::uint8_t terms) {
+    if (!comparison(terms)) return false;
+    while (next().is(Punctuation::ampersand) || next().is(Punctuation::bar)) {
+      const Token& mark = tokens_[at_++];
+      if (!comparison(Formula::kOfLeft)) return false;
+      operate(Operation::truth, mark);
+    }
+    return true;
+  }
+
+  bool comparison(std::uint8_t terms) {
+    if (!sum(terms)) return false;
+    while (is_comparison(next())) {
+      const Token& mark = tokens_[at_++];
+      if (!sum(Formula::kOfLeft)) return false;
+      operate(Operation::truth, mark);
+    }
+    return true;
+  }
+
+  bool sum(std::uint8_t terms) {
+    if (!product(terms)) return false;
+    while (next().is(Punctuation::plus) || next().is(Punctuation::dash)) {
+      const Token& mark = tokens_[at_++];
+      if (!product(Formula::kOfLeft)) return false;
+      operate(mark.is(Punctuation::plus) ? Operation::add : Operation::subtract, mark);
+    }
+    return true;
+  }
+
+  bool product(std::uint8_t terms) {
+    if (!operand(terms)) return false;
+    while (next().is(Punctuation::star) || next().is(Punctuation::slash)) {
+      const Token& mark = tokens_[at_++];
+      if (!operand(Formula::kOfLeft)) return false;
+      operate(mark.is(Punctuation::star) ? Operation::multiply : Operation::divide, mark);
+    }
+    return true;
+  }
+
+  bool operand(std::uint8_t terms) {
+    const Level level(*this);
+    while (next().is(Punctuation::plus)) ++at_;
+    if (!level.fits() || !operand_alone(terms)) return false;
+    return !accept(Punctuation::period) || component();
+  }
+
+  bool operand_alone(std::uint8_t terms) {
+    const Token& token = tokens_[at_++];
+    switch (token.kind) {
+      case TokenKind::number:
+        emit(Operation::number, token, terms).number = token.number;
+        return grow(0);
+      case TokenKind::identifier:
+        return name(token, terms);
+      case TokenKind::keyword:
+        return word(token, terms);
+      case TokenKind::punctuation:
+        return sign(token, terms);
+      default:
+        return false;
+    }
+  }
+
+  bool name(const Token& token, std::uint8_t terms) {
+    if (next().is(Punctuation::left_paren) || next().is(Punctuation::left_bracket)) return false;
+    std::vector<std::uint32_t>& names = formula_.names_;
+    const auto found = std::find(names.begin(), names.end(), token.symbol);
+    const auto index = static_cast<std::size_t>(found - names.begin());
+    if (found == names.end()) {
+      if (names.size() == Formula::kMostNames) return false;
+      names.push_back(token.symbol);
+    }
+    emit(Operation::name, token, terms).index = static_cast<std::uint8_t>(index);
+    return grow(0);
+  }
+
+  bool sign(const Token& token, std::uint8_t terms) {
+    switch (token.punctuation) {
+      case Punctuation::dash:
+      case Punctuation::exclamation:
+        if (!operand(terms)) return false;
+        emit(token.is(Punctuation::dash) ? Operation::negate : Operation::invert, token);
+        return true;
+      case Punctuation::left_paren:
+        return full(terms) && accept(Punctuation::right_paren);
+      case Punctuation::less:
+        return vector(token);
+      default:
+        return false;
+    }
+  }
+
+  // `<a, b>` to `<a, b, c, d, e>`, the `<` taken.
+  bool vector(const Token& opening) {
+    std::uint8_t count = 0;
+    do {
+      if (count == 5 || !number()) return false;
+      if (++count < 5) accept(Punctuation::comma);
+    } while (!next().is(Punctuation::greater));
+    ++at_;
+    emit(Operation::vector, opening).index = count;
+    return count > 1 && grow(count);
+  }
+
+  bool component() {
+    const Token& word = tokens_[at_++];
+    if (picked_component(word.keyword) == kNoComponent) return false;
+    emit(Operation::component, word);
+    return true;
+  }
+
+  // A sum that must give a single number, or a vector of at most three components.
+  bool number() { return checked(Operation::check_float, 1); }
+  bool vector_argument() { return checked(Operation::check_vector, 3); }
+  bool checked(Operation check, std::uint8_t terms) {
+    const Token& first = next();
+    if (!sum(terms)) return false;
+    emit(check, first);
+    return true;
+  }
+
+  bool word(const Token& token, std::uint8_t terms) {
+    if (const std::optional<double> value = constant_of(token.keyword)) {
+      emit(Operation::number, token, terms).number = *value;
+      return grow(0);
+    }
+    switch (token.keyword) {
+      case Keyword::x:
+        return unit_vector(token, 0, 3, terms);
+      case Keyword::y:
+        return unit_vector(token, 1, 3, terms);
+      case Keyword::z:
+        return unit_vector(token, 2, 3, terms);
+      case Keyword::u:
+        return unit_vector(token, 0, 2, terms);
+      case Keyword::v:
+        return unit_vector(token, 1, 2, terms);
+      default:
+        return call(token, terms);
+    }
+  }
+
+  bool unit_vector(const Token& token, std::uint8_t component, std::uint8_t size, std::uint8_t terms) {
+    Formula::Step& step = emit(Operation::unit, token, terms);
+    step.index = component;
+    step.number = size;
+    return grow(0);
+  }
+
+  bool call(const Token& word, std::uint8_t terms) {
+    const CallForm form = call_form(word.keyword);
+    if (form == CallForm::other || !accept(Punctuation::left_paren)) return false;
+    std::size_t arguments = 1;
+    switch (form) {
+      case CallForm::number: {
+        const Token& first = next();
+        if (!full(1)) return false;
+        emit(Operation::check_float, first);
+        emit(Operation::call_number, word, terms);
+        break;
+      }
+      case CallForm::two_numbers:
+        if (!number()) return false;
+        accept(Punctuation::comma);
+        if (!number()) return false;
+        emit(Operation::call_two, word, terms);
+        arguments = 2;
+        break;
+      case CallForm::fold:
+        if (!number()) return false;
+        while (accept(Punctuation::comma)) {
+          if (!number()) return false;
+          operate(Operation::fold, word);
+        }
+        emit(Operation::fold_end, word, terms);
+        break;
+      default:
+        if (!vector_argument()) return false;
+        if (takes_second_vector(word.keyword)) {
+          accept(Punctuation::comma);
+          if (!vector_argument()) return false;
+          ++arguments;
+        }
+        if (word.is(Keyword::vaxis_rotate)) {
+          accept(Punctuation::comma);
+          if (!number()) return false;
+          ++arguments;
+        }
+        emit(Operation::call_vectors, word, terms);
+        break;
+    }
+    return grow(arguments) && accept(Punctuation::right_paren);
+  }
+
+  const std::vector<Token>& tokens_;
+  std::uint32_t at_;
+  Formula& formula_;
+  std::size_t depth_ = 0;
+  std::size_t height_ = 0;  // of the stack, behind the steps so far
+};
+
+std::unique_ptr<const Formula> Formula::compile(const std::vector<Token>& tokens, std::uint32_t begin, Kind kind) {
+  auto formula = std::make_unique<Formula>();
+  FormulaCompiler compiler(tokens, begin, *formula);
+  if (!compiler.compile(kind)) return nullptr;
+  return formula;
+}
+
+}  // namespace firstlight::parser

@@ -1,0 +1,113 @@
+#include "parser/expression/expression.h"
+
+namespace firstlight::parser {
+
+WordKind word_kind(Keyword word) {
+  switch (word) {
+    case Keyword::abs:
+    case Keyword::acos:
+    case Keyword::acosh:
+    case Keyword::asc:
+    case Keyword::asin:
+    case Keyword::asinh:
+    case Keyword::atan:
+    case Keyword::atan2:
+    case Keyword::atanh:
+    case Keyword::bitwise_and:
+    case Keyword::bitwise_or:
+    case Keyword::bitwise_xor:
+    case Keyword::ceil:
+    case Keyword::clock:
+    case Keyword::clock_on:
+    case Keyword::cos:
+    case Keyword::cosh:
+    case Keyword::defined:
+    case Keyword::degrees:
+    case Keyword::dimension_size:
+    case Keyword::dimensions:
+    case Keyword::div:
+    case Keyword::exp:
+    case Keyword::false_:
+    case Keyword::file_exists:
+    case Keyword::floor:
+    case Keyword::inside:
+    case Keyword::int_:
+    case Keyword::ln:
+    case Keyword::log:
+    case Keyword::max:
+    case Keyword::min:
+    case Keyword::mod:
+    case Keyword::no:
+    case Keyword::now:
+    case Keyword::off:
+    case Keyword::on:
+    case Keyword::pi:
+    case Keyword::pow:
+    case Keyword::prod:
+    case Keyword::radians:
+    case Keyword::rand:
+    case Keyword::seed:
+    case Keyword::select:
+    case Keyword::sin:
+    case Keyword::sinh:
+    case Keyword::sqr:
+    case Keyword::sqrt:
+    case Keyword::strcmp:
+    case Keyword::strlen:
+    case Keyword::sum:
+    case Keyword::tan:
+    case Keyword::tanh:
+    case Keyword::true_:
+    case Keyword::val:
+    case Keyword::vdot:
+    case Keyword::version:
+    case Keyword::vlength:
+    case Keyword::yes:
+      return WordKind::number;
+    case Keyword::max_extent:
+    case Keyword::min_extent:
+    case Keyword::t:
+    case Keyword::trace:
+    case Keyword::u:
+    case Keyword::v:
+    case Keyword::vaxis_rotate:
+    case Keyword::vcross:
+    case Keyword::vnormalize:
+    case Keyword::vrotate:
+    case Keyword::vturbulence:
+    case Keyword::x:
+    case Keyword::y:
+    case Keyword::z:
+      return WordKind::vector;
+    case Keyword::alpha:
+    case Keyword::blue:
+    case Keyword::color:
+    case Keyword::filter:
+    case Keyword::gray:
+    case Keyword::green:
+    case Keyword::red:
+    case Keyword::rgb:
+    case Keyword::rgbf:
+    case Keyword::rgbft:
+    case Keyword::rgbt:
+    case Keyword::srgb:
+    case Keyword::srgbf:
+    case Keyword::srgbft:
+    case Keyword::srgbt:
+    case Keyword::transmit:
+      return WordKind::color;
+    case Keyword::chr:
+    case Keyword::concat:
+    case Keyword::datetime:
+    case Keyword::str:
+    case Keyword::strlwr:
+    case Keyword::strupr:
+    case Keyword::substr:
+    case Keyword::vstr:
+      return WordKind::string;
+    default:
+      return WordKind::other;
+  }
+}
+
+}  // namespace firstlight::parser

@@ -1,0 +1,387 @@
+#include "parser/text/token_stream.h"
+
+#include "render/scene/nearest.h"
+
+#include <utility>
+
+namespace firstlight::parser {
+
+using render::Diagnostic;
+
+namespace {
+
+constexpr std::size_t kShortestSuggestion = 3;    // shorter words are all alike
+constexpr std::size_t kLongestCallChain = 8;      // calls a message tells of
+constexpr std::size_t kMostDiagnostics = 10'000;  // kept of one scene; a loop may warn at every turn
+
+bool stands_for_itself(const Token& token) {
+  return token.kind != TokenKind::identifier && token.punctuation != Punctuation::hash &&
+         token.keyword != Keyword::local && token.keyword != Keyword::global;
+}
+
+/// `local` or `global` before `.Name` or `["Name"]`. There is a token behind it, for the last one is the file's end.
+bool is_prefix(const Token& token) {
+  if (token.keyword != Keyword::local && token.keyword != Keyword::global) return false;
+  return (&token)[1].is(Punctuation::period) || (&token)[1].is(Punctuation::left_bracket);
+}
+
+}  // namespace
+
+void TokenStream::fail_nesting() {
+  fail(raw_next().location, "expressions, declarations or macro arguments are nested too deeply here (limit " +
+                                std::to_string(kDeepestExpression) + ")");
+}
+
+// --- tokens ---------------------------------------------------------------------------------------------------------
+
+void TokenStream::settle() {
+  unsettle();
+  Frame& frame = frames_.back();
+  if (frame.position < frame.end) {
+    const Token& token = frame.file->tokens[frame.position];
+    if (stands_for_itself(token)) return show(token, frame.position++);
+  }
+  settle_step_by_step();
+}
+
+// What is obeyed, called or looked up before something can be shown.
+void TokenStream::settle_step_by_step() {
+  for (;;) {
+    Frame& frame = frames_.back();
+    if (frame.position >= frame.end) {
+      if (frames_.size() > 1) {
+        leave_frame();
+        continue;
+      }
+      return show(frame.file->tokens[frame.end], frame.end);
+    }
+    const Token& token = frame.file->tokens[frame.position];
+    if (token.is(Punctuation::hash) && !is_held()) {
+      note_statement(frame.position);
+      const Nesting nesting(*this);
+      run_directive();
+      // Reading the directive may have shown the token behind it already.
+      if (settled_ && !pending_) return;
+      unsettle();
+      continue;
+    }
+    if (token.kind == TokenKind::identifier) {
+      if (settle_name(token)) return;
+      continue;
+    }
+    if (is_prefix(token)) {
+      if (settle_prefixed_name()) return;
+      continue;
+    }
+    show(token, frame.position++);
+    pending_ = token.is(Punctuation::hash);
+    return;
+  }
+}
+
+// False when the name was a macro's, which has been called.
+bool TokenStream::settle_name(const Token& name) {
+  const std::uint32_t index = frames_.back().position++;
+  note_statement(index);
+  const Scopes::Binding* const binding = scopes_.find(name.symbol);
+  if (binding != nullptr && std::holds_alternative<Numbers>(*binding->slot) && deprecated_.empty()) {  // most of them
+    show(name, index);
+    next_value_ = binding->slot.get();
+    next_scope_ = binding->scope;
+    return true;
+  }
+  return settle_as(name, index, binding, false);
+}
+
+bool TokenStream::settle_prefixed_name() {
+  const std::uint32_t index = frames_.back().position;
+  note_statement(index);
+  const std::string prefix(raw_next().text);
+  const Scopes::Reach reach = take_reach();
+  const Token& name = take_prefixed(reach);
+  if (name.kind != TokenKind::identifier) {
+    fail(name.location, "expected an identifier behind '" + prefix + ".', found " + describe(name));
+  }
+  return settle_as(name, index, scopes_.find(name.symbol, reach), true);
+}
+
+bool TokenStream::settle_as(const Token& name, std::uint32_t index, const Scopes::Binding* binding, bool prefixed) {
+  const Value* value = nullptr;
+  bool is_macro = false;
+  if (binding != nullptr) {
+    next_scope_ = binding->scope;
+    if (!deprecated_.empty()) warn_of_deprecated(name);
+    value = binding->slot.get();
+    if (const auto* macro = std::get_if<std::shared_ptr<const Macro>>(value)) {
+      is_macro = true;
+      if (!is_held()) {
+        call_macro(name, *macro);
+        return false;
+      }
+    } else if (picks_part(*value, raw_next())) {
+      next_element_ = pick_part(Scopes::Slot(binding->slot), name, Pick::value);
+      value = next_element_.get();
+    } else if (prefixed) {
+      next_element_ = binding->slot;
+    }
+  }
+  next_ = &name;
+  next_index_ = index;
+  next_value_ = value;
+  pending_ = is_macro;
+  settled_ = true;
+  return true;
+}
+
+void TokenStream::warn_of_deprecated(const Token& name) {
+  const auto found = deprecated_.find(name.symbol);
+  if (found == deprecated_.end()) return;
+  warn(name.location, found->second.message);
+  if (found->second.once) deprecated_.erase(found);
+}
+
+std::map<std::string, std::uint64_t> TokenStream::keyword_counts() const {
+  std::map<std::string, std::uint64_t> counts;
+  for (std::size_t i = 1; i < kKeywordCount; ++i) {
+    if (keyword_counts_[i] > 0) counts.emplace(spelling(static_cast<Keyword>(i)), keyword_counts_[i]);
+  }
+  return counts;
+}
+
+Scopes::Binding TokenStream::peek_binding() const {
+  if (next_element_ != nullptr && next_element_.get() == next_value_) return {next_scope_, next_element_};
+  const Scopes::Binding* binding = scopes_.find(next_->symbol);
+  return binding != nullptr ? *binding : Scopes::Binding();
+}
+
+Scopes::Binding TokenStream::take_binding() {
+  peek();
+  const Scopes::Binding result = peek_binding();
+  settled_ = false;
+  pending_ = false;
+  last_ = next_;
+  ++taken_;
+  return result;
+}
+
+bool TokenStream::next_is_word(std::string_view word) {
+  return peek().kind == TokenKind::identifier && next_value_ == nullptr && next_->text == word;
+}
+
+bool TokenStream::accept_word(std::string_view word) {
+  if (!next_is_word(word)) return false;
+  take_binding();
+  return true;
+}
+
+const Formula* TokenStream::next_formula(Formula::Kind kind, Punctuation opening, Punctuation closing) {
+  // Text that is read once is not worth one, and a name that is deprecated must be told of.
+  if (!replays_ || pending_ || !deprecated_.empty()) return nullptr;
+  const Frame& frame = frames_.back();
+  const std::vector<Token>& tokens = frame.file->tokens;
+  std::uint32_t begin = settled_ ? next_index_ : frame.position;
+  if (opening != Punctuation::none && !tokens[begin++].is(opening)) return nullptr;
+  if (begin >= frame.end) return nullptr;
+  const Formula* const formula = frame.file->formulas->find(tokens, begin, kind);
+  if (formula == nullptr || formula->end() >= frame.end) return nullptr;
+  const bool ends_here =
+      closing != Punctuation::none ? tokens[formula->end()].is(closing) : !formula->ends_at_hold() || is_held();
+  return ends_here && nesting_ + formula->depth() < kDeepestExpression ? formula : nullptr;
+}
+
+bool TokenStream::accept_formula(const Formula& formula, Punctuation closing, Formula::Values& values) {
+  std::size_t name = 0;
+  for (const std::uint32_t symbol : formula.names()) {
+    const Scopes::Binding* const binding = scopes_.find(symbol);
+    const Numbers* const value = binding != nullptr ? std::get_if<Numbers>(binding->slot.get()) : nullptr;
+    if (value == nullptr) return false;
+    values.shape |= Formula::shape_of(*value, name);
+    values.of_names[name++] = value;
+  }
+  Frame& frame = frames_.back();
+  const std::uint32_t begin = settled_ ? next_index_ : frame.position;
+  frame.position = formula.end() + (closing != Punctuation::none ? 1 : 0);
+  settled_ = false;
+  last_ = &frame.file->tokens[frame.position - 1];
+  for (const Keyword word : formula.keywords()) count(word);
+  const std::uint64_t looks = taken_ / kTokensBetweenLooks;
+  taken_ += frame.position - begin;
+  if (taken_ / kTokensBetweenLooks != looks) look_around();
+  return true;
+}
+
+const Token& TokenStream::take_raw() {
+  Frame& frame = frames_.back();
+  const Token& token = frame.file->tokens[frame.position];
+  if (frame.position < frame.end) ++frame.position;
+  return token;
+}
+
+Scopes::Reach TokenStream::take_reach() {
+  const Token& word = raw_next();
+  if (!is_prefix(word)) return Scopes::Reach::any;
+  count(word.keyword);
+  frames_.back().position += (&word)[1].is(Punctuation::period) ? 2 : 1;
+  return word.is(Keyword::local) ? Scopes::Reach::local : Scopes::Reach::global;
+}
+
+const Token& TokenStream::take_prefixed(Scopes::Reach reach) {
+  if (reach == Scopes::Reach::any || !raw_next().is(Punctuation::left_bracket)) return take_raw();
+  constexpr std::size_t kMostNames = 1'000'000;
+  const Token& bracket = raw_next();
+  const Nesting nesting(*this);
+  const std::uint32_t symbol = symbols_.intern(parse_key());
+  unsettle();
+  const auto [at, is_new] = named_by_strings_.try_emplace({&bracket, symbol});
+  if (is_new) {
+    if (named_by_strings_.size() > kMostNames) {
+      fail_finally(bracket.location, "too many names are given as strings (limit " + std::to_string(kMostNames) + ")");
+    }
+    at->second.kind = TokenKind::identifier;
+    at->second.symbol = symbol;
+    at->second.text = symbols_.name(symbol);
+    at->second.location = bracket.location;
+  }
+  return at->second;
+}
+
+void TokenStream::fail_expected(Punctuation mark, std::string_view purpose, std::string_view name) {
+  std::string expected = "expected '" + std::string(spelling(mark)) + "' " + std::string(purpose);
+  if (!name.empty()) expected.append(" '").append(name).append("'");
+  fail(peek().location, expected + ", found " + describe_next());
+}
+
+// --- frames ---------------------------------------------------------------------------------------------------------
+
+void TokenStream::enter_frame(Frame frame) {
+  unsettle();
+  if (frames_.size() >= kDeepestFrame) {
+    fail_finally(frame.call,
+                 "macros and included files are nested too deeply here (limit " + std::to_string(kDeepestFrame) + ")");
+  }
+  if (!frames_.empty()) scopes_.enter();
+  frames_.push_back(std::move(frame));
+}
+
+void TokenStream::leave_frame() {
+  frames_.pop_back();
+  scopes_.leave();
+}
+
+// --- blocks ---------------------------------------------------------------------------------------------------------
+
+void TokenStream::fail_block(const Token& owner) {
+  if (!peek().is(Punctuation::left_brace)) {
+    fail(peek().location, "expected '{' after '" + std::string(owner.text) + "', found " + describe_next());
+  }
+  fail(owner.location, "blocks are nested too deeply here (limit " + std::to_string(kDeepestBlock) + ")");
+}
+
+void TokenStream::fail_unclosed_block() {
+  const Token& owner = blocks_.back();
+  const std::string name(owner.text);
+  fail(peek().location, "expected '}' to close '" + name + "', found " + describe_next(), owner.location,
+       "'" + name + "' opened here");
+}
+
+// --- messages -------------------------------------------------------------------------------------------------------
+
+std::string TokenStream::describe_next() {
+  const Token& token = peek();
+  if (token.kind != TokenKind::identifier) return describe(token);
+  if (next_value_ == nullptr) {
+    described_undeclared_ = token.symbol;
+    return "undeclared identifier '" + std::string(token.text) + "'" + suggestion(token.text);
+  }
+  return std::string(kind_name(*next_value_)) + " '" + std::string(token.text) + "'";
+}
+
+std::string TokenStream::suggestion(std::string_view word) const {
+  if (word.size() < kShortestSuggestion) return {};
+  std::vector<std::string> known = scopes_.declared_names(symbols_);
+  for (std::size_t i = 1; i < kKeywordCount; ++i) known.emplace_back(spelling(static_cast<Keyword>(i)));
+  const std::string near = render::nearest(word, known);
+  return near.empty() || near == word ? std::string() : "; did you mean '" + near + "'?";
+}
+
+void TokenStream::begin_statement() {
+  peek();
+  note_statement(next_index_);
+}
+
+Location TokenStream::behind_last_token() const {
+  Location place = last_->location;
+  place.column += place.length;
+  place.length = 1;
+  return place;
+}
+
+Diagnostic TokenStream::diagnostic(const Location& at, Diagnostic::Severity severity, std::string message) const {
+  return diagnostic_at(files_.file(at.file), at, severity, std::move(message));
+}
+
+Diagnostic TokenStream::describe_unrendered(const render::FeatureUse& use) const {
+  const auto word = static_cast<std::uint32_t>(render::spelling(use.feature).size());
+  const std::string name(render::spelling(use.feature));
+  Diagnostic result = diagnostic({use.file, use.line, use.column, word}, Diagnostic::Severity::error,
+                                 "'" + name + "' cannot be rendered by this version of Firstlight");
+  result.subject = name;
+  return result;
+}
+
+SyntaxError TokenStream::error_at(const Location& at, std::string message) {
+  SyntaxError error({diagnostic(at, Diagnostic::Severity::error, std::move(message))});
+  error.undeclared = std::exchange(described_undeclared_, kNoSymbol);
+  return error;
+}
+
+void TokenStream::fail(const Location& at, std::string message) {
+  SyntaxError error = error_at(at, std::move(message));
+  add_call_chain(error.diagnostics);
+  throw error;
+}
+
+void TokenStream::fail(const Location& at, std::string message, const Location& note_at, std::string note) {
+  SyntaxError error = error_at(at, std::move(message));
+  error.diagnostics.push_back(diagnostic(note_at, Diagnostic::Severity::note, std::move(note)));
+  add_call_chain(error.diagnostics);
+  throw error;
+}
+
+void TokenStream::fail_finally(const Location& at, std::string message) {
+  SyntaxError error = error_at(at, std::move(message));
+  error.fatal = true;
+  add_call_chain(error.diagnostics);
+  throw error;
+}
+
+void TokenStream::fail_unbalanced(const Location& at, std::string message) {
+  SyntaxError error = error_at(at, std::move(message));
+  error.unbalanced = true;
+  add_call_chain(error.diagnostics);
+  throw error;
+}
+
+void TokenStream::add_call_chain(render::Diagnostics& messages) const {
+  std::size_t told = 0;
+  for (std::size_t i = frames_.size(); i-- > 1 && told < kLongestCallChain; ++told) {
+    const Frame& frame = frames_[i];
+    messages.push_back(diagnostic(frame.call, Diagnostic::Severity::note,
+                                  frame.macro ? "in macro '" + std::string(frame.macro->name) + "', called from here"
+                                              : "in '" + frame.file->source->name + "', included from here"));
+  }
+}
+
+void TokenStream::report(const Location& at, std::string message, Diagnostic::Severity severity) {
+  described_undeclared_ = kNoSymbol;
+  if (diagnostics_.size() > kMostDiagnostics) return;
+  if (diagnostics_.size() == kMostDiagnostics) message = "further messages are left out";
+  report(diagnostic(at, severity, std::move(message)));
+}
+
+void TokenStream::report(const Diagnostic& message) {
+  diagnostics_.push_back(message);
+  if (options_.report) options_.report(message);
+}
+
+}  // namespace firstlight::parser
