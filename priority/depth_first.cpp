@@ -55,7 +55,7 @@ void trace_recursively(Frame& frame, render::Tracer& tracer, RayQueue& queue, st
       frame.add(tracer.light(), tracer.counts(), tally);
       depth_first.run(tracer.spawned());
     }
-    frame.add_dark(batch.rays.dark, tally);
+    frame.add_rest(batch.rays, tally);
     frame.lit(batch);
   }
 }

@@ -45,7 +45,7 @@ class Frame {
   /// Adds to the film what a worker has traced; `counts` are all the rays it has traced so far.
   void add(std::span<const render::Contribution> light, const render::RayCounts& counts, Tally& tally);
   /// The same for samples that no primary ray lights.
-  void add_dark(std::span<const std::uint32_t> samples, Tally& tally);
+  void add_rest(const render::PrimaryBatch& rays, Tally& tally);
   /// Light will be added to the tasks' samples soon.
   void expect_light(std::span<const render::RayTask> tasks) const {
     for (const render::RayTask& task : tasks) film_.fetch(task.sample);

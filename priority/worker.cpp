@@ -87,7 +87,7 @@ void Worker::trace_primaries() {
   tracer_.step_primary(primaries_.rays.tasks, primaries_.rays.rays);
   if (render::Interrupt::seen()) return;  // half a step is no part of the sum
   frame_.add(tracer_.light(), tracer_.counts(), tally_);
-  frame_.add_dark(primaries_.rays.dark, tally_);
+  frame_.add_rest(primaries_.rays, tally_);
   scheme_->learn(primaries_.rays.tasks, tracer_.light(), tracer_.spawned());
   frame_.lit(primaries_);
   keep_spawned(0);
