@@ -56,7 +56,7 @@ void trace_recursively(Frame& frame, render::Tracer& tracer, RayQueue& queue, st
       frame.add(tracer.light(), tracer.counts(), tally);
       depth_first.run(tracer.spawned());
     }
-    frame.add_dark(batch.dark, tally);
+    frame.add_rest(batch, tally);
     frame.lit(roots);
   }
 }

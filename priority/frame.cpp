@@ -104,14 +104,18 @@ void Frame::add(std::span<const render::Contribution> light, const render::RayCo
   if (++tally.batches == kBatchesOfReport) report(counts, tally);
 }
 
-void Frame::add_dark(std::span<const std::uint32_t> samples, Tally& tally) {
-  if (samples.empty()) return;
+void Frame::add_rest(const render::PrimaryBatch& rays, Tally& tally) {
+  if (rays.dark.empty() && rays.shared.empty()) return;
   std::vector<render::Contribution> nothing;
-  nothing.reserve(samples.size());
-  for (const std::uint32_t sample : samples) nothing.push_back({sample, {}, -most_of_root_});
+  nothing.reserve(rays.dark.size() + rays.shared.size());
+  for (const std::uint32_t sample : rays.dark) nothing.push_back({sample, {}, -most_of_root_});
+  for (const auto& [ray, count] : rays.shared) {
+    nothing.push_back({ray.sample, {}, bound_.at_stake(ray) * count - most_of_root_});
+  }
   const Stage& now = stage();
   now.sink->add(nothing);
-  if (now.is_counted) tally.change -= most_of_root_ * static_cast<std::int64_t>(samples.size());
+  if (!now.is_counted) return;
+  for (const render::Contribution& contribution : nothing) tally.change += contribution.outstanding;
 }
 
 void Frame::report(const render::RayCounts& counts, Tally& tally) {

@@ -51,8 +51,8 @@ class Frame {
   void lit(const Roots& roots);
   /// Adds to the sink what a worker has traced; `counts` are all the rays it has traced so far.
   void add(std::span<const render::Contribution> light, const render::RayCounts& counts, Tally& tally);
-  /// The same for samples that no root lights.
-  void add_dark(std::span<const std::uint32_t> samples, Tally& tally);
+  /// The same for samples that no root lights, or several.
+  void add_rest(const render::PrimaryBatch& rays, Tally& tally);
   /// Light will be added to the tasks' samples soon.
   void expect_light(std::span<const render::RayTask> tasks) const {
     stage().sink->fetch(tasks);

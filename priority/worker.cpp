@@ -87,7 +87,7 @@ void Worker::trace_roots() {
   tracer_.step_primary(roots_.rays.tasks, roots_.rays.rays);
   if (render::Interrupt::seen()) return;  // half a step is no part of the sum
   frame_.add(tracer_.light(), tracer_.counts(), tally_);
-  frame_.add_dark(roots_.rays.dark, tally_);
+  frame_.add_rest(roots_.rays, tally_);
   scheme_->learn(roots_.rays.tasks, tracer_.light(), tracer_.spawned());
   frame_.lit(roots_);
   keep_spawned(0);

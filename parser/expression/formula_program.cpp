@@ -1,7 +1,7 @@
 #include "parser/expression/formula_program.h"
 
-#include "parser/directive/interpreter.h"
 #include "parser/expression/arithmetic.h"
+#include "parser/expression/evaluator.h"
 #include "parser/expression/expression.h"
 #include "parser/expression/function_values.h"
 
@@ -192,7 +192,7 @@ std::unique_ptr<const FormulaProgram> FormulaProgram::make(std::span<const Formu
 }
 
 // In each component, of which the shorter operand gets as many as the other has.
-void FormulaProgram::combine(Interpreter& in, const Step& step, double*& top) {
+void FormulaProgram::combine(Evaluator& in, const Step& step, double*& top) {
   using Of = Formula::Operation;
   std::array<double, kMostComponents> widened;
   const std::uint8_t size = std::max(step.left, step.size);
@@ -235,7 +235,7 @@ void FormulaProgram::combine(Interpreter& in, const Step& step, double*& top) {
   }
 }
 
-void FormulaProgram::call_vectors(Interpreter& in, const Step& step, double*& top) {
+void FormulaProgram::call_vectors(Evaluator& in, const Step& step, double*& top) {
   const Token& word = *step.token;
   const double degrees = word.is(Keyword::vaxis_rotate) ? *--top : 0.0;
   top -= step.size;
@@ -250,7 +250,7 @@ void FormulaProgram::call_vectors(Interpreter& in, const Step& step, double*& to
   for (int i = 0; i < 3; ++i) *top++ = result[i];
 }
 
-void FormulaProgram::run(Interpreter& in, const Numbers* const* values, Numbers& result) const {
+void FormulaProgram::run(Evaluator& in, const Numbers* const* values, Numbers& result) const {
   std::array<double, Formula::kDeepestStack * kMostComponents> stack;
   double* top = stack.data();  // behind the topmost number
   for (const Step& step : steps_) {

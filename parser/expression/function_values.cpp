@@ -1,6 +1,6 @@
 #include "parser/expression/function_values.h"
 
-#include "parser/directive/interpreter.h"
+#include "parser/expression/evaluator.h"
 #include "parser/expression/expression.h"
 #include "render/math/transform.h"
 
@@ -17,7 +17,7 @@ namespace {
 constexpr double kRadiansPerDegree = std::numbers::pi / 180.0;
 
 // acos and asin take what is outside their domain for its end.
-double into_domain(Interpreter& in, const Token& word, double value) {
+double into_domain(Evaluator& in, const Token& word, double value) {
   if (value >= -1.0 && value <= 1.0) return value;
   in.warn(word.location, "'" + std::string(word.text) + "' of " + number_text(value) + ", which is outside -1 to 1");
   return std::clamp(value, -1.0, 1.0);
@@ -103,7 +103,7 @@ CallForm call_form(Keyword word) {
   }
 }
 
-double value_of_number(Interpreter& in, const Token& word, double value) {
+double value_of_number(Evaluator& in, const Token& word, double value) {
   const auto refuse = [&](const char* needed) {
     in.fail(word.location,
             "'" + std::string(word.text) + "' needs a number " + needed + ", found " + number_text(value));
@@ -170,7 +170,7 @@ double value_of_number(Interpreter& in, const Token& word, double value) {
   }
 }
 
-double value_of_two(Interpreter& in, const Token& word, double a, double b) {
+double value_of_two(Evaluator& in, const Token& word, double a, double b) {
   switch (word.keyword) {
     case Keyword::atan2:
       if (!is_true(a) && !is_true(b)) in.fail(word.location, "'atan2' of two zeros has no value");
@@ -206,7 +206,7 @@ double fold_end(Keyword word, double so_far) {
 
 bool takes_second_vector(Keyword word) { return word != Keyword::vlength && word != Keyword::vnormalize; }
 
-render::Vec3 vector_of_vectors(Interpreter& in, const Token& word, const render::Vec3& first,
+render::Vec3 vector_of_vectors(Evaluator& in, const Token& word, const render::Vec3& first,
                                const render::Vec3& second, double degrees) {
   switch (word.keyword) {
     case Keyword::vnormalize: {

@@ -7,7 +7,7 @@
 
 namespace firstlight::parser {
 
-class Interpreter;
+class Evaluator;
 
 // What the functions of the language give for arguments that are known, whoever has read them. `word` is the
 // function's name, and where a mistake is told of. [POV-Ray 3.7 manual, "Float Functions", "Vector Functions"]
@@ -28,14 +28,14 @@ enum class CallForm : std::uint8_t {
 };
 CallForm call_form(Keyword word);
 
-double value_of_number(Interpreter& in, const Token& word, double value);
-double value_of_two(Interpreter& in, const Token& word, double a, double b);
+double value_of_number(Evaluator& in, const Token& word, double value);
+double value_of_two(Evaluator& in, const Token& word, double a, double b);
 /// `so_far` is the first argument or what the earlier ones gave.
 double fold(Keyword word, double so_far, double next);
 /// What is made of it at the end.
 double fold_end(Keyword word, double so_far);
 bool takes_second_vector(Keyword word);
-render::Vec3 vector_of_vectors(Interpreter& in, const Token& word, const render::Vec3& first,
+render::Vec3 vector_of_vectors(Evaluator& in, const Token& word, const render::Vec3& first,
                                const render::Vec3& second, double degrees);
 double number_of_vectors(Keyword word, const render::Vec3& first, const render::Vec3& second);
 

@@ -1,5 +1,5 @@
 // Words that are values or functions in expressions. [POV-Ray 3.7 manual, "Float Expressions", "Vector Expressions"]
-#include "parser/directive/interpreter.h"
+#include "parser/expression/evaluator.h"
 #include "parser/expression/expression.h"
 #include "parser/expression/function_values.h"
 #include "parser/expression/object_functions.h"
@@ -25,7 +25,7 @@ Numbers vector_of(const render::Vec3& v) {
 /// The arguments of one function call.
 class Call {
  public:
-  Call(Interpreter& in, const Token& word) : in_(in), word_(word) {
+  Call(Evaluator& in, const Token& word) : in_(in), word_(word) {
     in_.expect(Punctuation::left_paren, "after", word_.text);
   }
   double number() { return parse_float(in_); }
@@ -42,11 +42,11 @@ class Call {
   [[noreturn]] void fail(std::string message) { in_.fail(word_.location, std::move(message)); }
 
  private:
-  Interpreter& in_;
+  Evaluator& in_;
   const Token& word_;
 };
 
-double of_many_numbers(Interpreter& in, const Token& word) {
+double of_many_numbers(Evaluator& in, const Token& word) {
   Call call(in, word);
   double result = call.number();
   while (call.more()) result = fold(word.keyword, result, call.number());
@@ -55,7 +55,7 @@ double of_many_numbers(Interpreter& in, const Token& word) {
 }
 
 // select(a, b, c): b below 0, else c; select(a, b, c, d): c at 0 and d above.
-double select(Interpreter& in, const Token& word) {
+double select(Evaluator& in, const Token& word) {
   Call call(in, word);
   const double value = call.number();
   call.comma();
@@ -68,7 +68,7 @@ double select(Interpreter& in, const Token& word) {
 }
 
 // dimensions(A), dimension_size(A, n)
-double of_array(Interpreter& in, const Token& word) {
+double of_array(Evaluator& in, const Token& word) {
   Call call(in, word);
   const Token& name = in.peek();
   const Value* value = in.peek_value();
@@ -87,7 +87,7 @@ double of_array(Interpreter& in, const Token& word) {
   return result;
 }
 
-double of_strings(Interpreter& in, const Token& word) {
+double of_strings(Evaluator& in, const Token& word) {
   Call call(in, word);
   const std::string text = parse_string(in);
   double result = 0.0;
@@ -120,7 +120,7 @@ double days_since_2000() {
   return duration<double, std::ratio<86400>>(system_clock::now() - start).count();
 }
 
-render::Vec3 of_vectors(Interpreter& in, const Token& word) {
+render::Vec3 of_vectors(Evaluator& in, const Token& word) {
   Call call(in, word);
   const render::Vec3 first = call.vector();
   render::Vec3 second(0.0);
@@ -139,7 +139,7 @@ render::Vec3 of_vectors(Interpreter& in, const Token& word) {
 }
 
 // vturbulence(lambda, omega, octaves, point)
-render::Vec3 turbulence(Interpreter& in, const Token& word) {
+render::Vec3 turbulence(Evaluator& in, const Token& word) {
   constexpr int kMostOctaves = 10;
   Call call(in, word);
   render::Octaves octaves;
@@ -155,7 +155,7 @@ render::Vec3 turbulence(Interpreter& in, const Token& word) {
   return render::dturbulence(point, octaves);
 }
 
-double of_vectors_to_number(Interpreter& in, const Token& word) {
+double of_vectors_to_number(Evaluator& in, const Token& word) {
   Call call(in, word);
   const render::Vec3 first = call.vector();
   render::Vec3 second(0.0);
@@ -167,7 +167,7 @@ double of_vectors_to_number(Interpreter& in, const Token& word) {
   return number_of_vectors(word.keyword, first, second);
 }
 
-double number_of(Interpreter& in, const Token& word) {
+double number_of(Evaluator& in, const Token& word) {
   if (const std::optional<double> constant = constant_of(word.keyword)) return *constant;
   switch (word.keyword) {
     case Keyword::clock:
@@ -215,7 +215,7 @@ double number_of(Interpreter& in, const Token& word) {
 
 }  // namespace
 
-Numbers parse_function(Interpreter& in, const Token& word) {
+Numbers parse_function(Evaluator& in, const Token& word) {
   switch (word.keyword) {
     case Keyword::x:
       return unit(0, 3);

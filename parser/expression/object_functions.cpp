@@ -1,6 +1,6 @@
 #include "parser/expression/object_functions.h"
 
-#include "parser/directive/interpreter.h"
+#include "parser/expression/evaluator.h"
 #include "parser/expression/expression.h"
 #include "render/scene/extent.h"
 
@@ -23,12 +23,12 @@ using ObjectPtr = std::shared_ptr<const Object>;
 /// empty lets the scene be read to its end.
 const render::Box3 kMadeUpBox{Vec3(0.0), Vec3(1.0)};
 
-void comma(Interpreter& in) {
+void comma(Evaluator& in) {
   if (in.peek().is(Punctuation::comma)) in.take();
 }
 
 /// `(object`
-ObjectPtr take_object(Interpreter& in, const Token& word) {
+ObjectPtr take_object(Evaluator& in, const Token& word) {
   in.expect(Punctuation::left_paren, "after", word.text);
   const Value* value = in.peek_value();
   const auto* held = value != nullptr ? std::get_if<ObjectPtr>(value) : nullptr;
@@ -47,7 +47,7 @@ Numbers numbers_of(const Vec3& v) {
 
 }  // namespace
 
-Vec3 parse_trace(Interpreter& in, const Token& word) {
+Vec3 parse_trace(Evaluator& in, const Token& word) {
   const ObjectPtr object = take_object(in, word);
   comma(in);
   const Vec3 origin = parse_vector(in);
@@ -71,7 +71,7 @@ Vec3 parse_trace(Interpreter& in, const Token& word) {
   return hit ? hit->point : Vec3(0.0);
 }
 
-bool parse_inside(Interpreter& in, const Token& word) {
+bool parse_inside(Evaluator& in, const Token& word) {
   const Token& name = in.peek();
   const ObjectPtr object = take_object(in, word);
   if (object->patch) in.fail(name.location, "'inside' needs an object that has an inside");
@@ -84,7 +84,7 @@ bool parse_inside(Interpreter& in, const Token& word) {
   return kMadeUpBox.intersects(point);
 }
 
-Vec3 parse_extent(Interpreter& in, const Token& word) {
+Vec3 parse_extent(Evaluator& in, const Token& word) {
   const ObjectPtr object = take_object(in, word);
   in.expect(Punctuation::right_paren, "to close", word.text);
   if (!render::is_made(*object)) {
@@ -93,30 +93,6 @@ Vec3 parse_extent(Interpreter& in, const Token& word) {
   }
   const render::Box3 box = render::extent(*object).box();
   return word.is(Keyword::min_extent) ? box.min : box.max;
-}
-
-const render::ObjectProbe& Interpreter::probe(const ObjectPtr& object) {
-  constexpr std::size_t kKept = 8;
-  const auto found =
-      std::find_if(probes_.begin(), probes_.end(), [&](const auto& kept) { return kept.first == object; });
-  if (found != probes_.end()) {
-    std::rotate(found, found + 1, probes_.end());
-  } else {
-    if (probes_.size() == kKept) probes_.erase(probes_.begin());
-    probes_.emplace_back(object, render::ObjectProbe(*object));
-  }
-  return probes_.back().second;
-}
-
-bool Interpreter::has_guessed() const {
-  const auto& uses = context_.builder.settings().unrendered.list();
-  return std::any_of(uses.begin(), uses.end(), [](const render::FeatureUse& use) {
-    return use.feature == Feature::trace || use.feature == Feature::inside || use.feature == Feature::extent;
-  });
-}
-
-void Interpreter::note_unrendered(Feature feature, const Location& at) {
-  context_.builder.settings().unrendered.add({feature, at.file, at.line, at.column});
 }
 
 }  // namespace firstlight::parser

@@ -1,6 +1,6 @@
 #include "parser/expression/string_expression.h"
 
-#include "parser/directive/interpreter.h"
+#include "parser/expression/evaluator.h"
 #include "parser/expression/expression.h"
 
 #include <algorithm>
@@ -38,7 +38,7 @@ std::string encode(unsigned code) {
 
 int whole(double value) { return static_cast<int>(std::clamp(value, -1e6, 1e6)); }
 
-void comma(Interpreter& in) {
+void comma(Evaluator& in) {
   if (in.peek().is(Punctuation::comma)) in.take();
 }
 
@@ -56,7 +56,7 @@ std::string print(double value, int width, int decimals) {
   return buffer.data();
 }
 
-std::string parse_str(Interpreter& in) {
+std::string parse_str(Evaluator& in) {
   const double value = parse_float(in);
   comma(in);
   const int width = whole(parse_float(in));
@@ -64,7 +64,7 @@ std::string parse_str(Interpreter& in) {
   return print(value, width, whole(parse_float(in)));
 }
 
-std::string parse_vstr(Interpreter& in) {
+std::string parse_vstr(Evaluator& in) {
   const int count = std::clamp(whole(parse_float(in)), 2, 5);
   comma(in);
   const Numbers numbers = parse_sum(in, 1);
@@ -82,20 +82,20 @@ std::string parse_vstr(Interpreter& in) {
   return result;
 }
 
-std::string parse_concat(Interpreter& in, const Token& word) {
+std::string parse_concat(Evaluator& in, const Token& word) {
   std::string result = parse_string(in);
   while (!in.peek().is(Punctuation::right_paren)) {
     comma(in);
     result += parse_string(in);
-    if (result.size() > Interpreter::kLongestString) {
+    if (result.size() > Evaluator::kLongestString) {
       in.fail(word.location,
-              "the string is too long (limit " + std::to_string(Interpreter::kLongestString) + " bytes)");
+              "the string is too long (limit " + std::to_string(Evaluator::kLongestString) + " bytes)");
     }
   }
   return result;
 }
 
-std::string parse_substr(Interpreter& in, const Token& word) {
+std::string parse_substr(Evaluator& in, const Token& word) {
   const std::string text = parse_string(in);
   comma(in);
   const int first = whole(parse_float(in));
@@ -111,7 +111,7 @@ std::string parse_substr(Interpreter& in, const Token& word) {
   return text.substr(begin, offset_of(text, static_cast<std::size_t>(first - 1 + count)) - begin);
 }
 
-std::string parse_chr(Interpreter& in, const Token& word) {
+std::string parse_chr(Evaluator& in, const Token& word) {
   const double code = parse_float(in);
   if (!(code > -1.0 && code < kLargestCode + 1)) {
     in.fail(word.location,
@@ -121,7 +121,7 @@ std::string parse_chr(Interpreter& in, const Token& word) {
 }
 
 // Days since 2000 as a date, in universal time.
-std::string parse_datetime(Interpreter& in, const Token& word) {
+std::string parse_datetime(Evaluator& in, const Token& word) {
   constexpr double kDaysTo2000 = 365 * 30 + 7;  // from 1970
   const double seconds = std::floor((parse_float(in) + kDaysTo2000) * 86400.0 + 0.5);
   comma(in);
@@ -144,7 +144,7 @@ std::string in_case(std::string text, bool upper) {
   return text;
 }
 
-std::string parse_string_function(Interpreter& in, const Token& word) {
+std::string parse_string_function(Evaluator& in, const Token& word) {
   in.expect(Punctuation::left_paren, "after", word.text);
   std::string result;
   switch (word.keyword) {
@@ -175,7 +175,7 @@ std::string parse_string_function(Interpreter& in, const Token& word) {
 }
 
 // The character that an escape stands for; `at` is behind the backslash and moves to its last letter.
-std::string unescape_one(Interpreter& in, const Token& literal, std::size_t& at) {
+std::string unescape_one(Evaluator& in, const Token& literal, std::size_t& at) {
   const std::string_view raw = literal.text;
   constexpr std::string_view kLetters = "abfnrtv\\'\"";
   constexpr std::string_view kMeanings = "\a\b\f\n\r\t\v\\'\"";
@@ -195,7 +195,7 @@ std::string unescape_one(Interpreter& in, const Token& literal, std::size_t& at)
 
 }  // namespace
 
-std::string unescape(Interpreter& in, const Token& literal) {
+std::string unescape(Evaluator& in, const Token& literal) {
   const std::string_view raw = literal.text;
   const bool ascii = in.language().charset() == render::Charset::ascii;
   const bool latin = ascii && in.language_version() < 350;
@@ -221,7 +221,7 @@ std::string unescape(Interpreter& in, const Token& literal) {
   return result;
 }
 
-bool at_string(Interpreter& in) {
+bool at_string(Evaluator& in) {
   const Token& token = in.peek();
   if (token.kind == TokenKind::string) return true;
   if (token.kind == TokenKind::keyword) return word_kind(token.keyword) == WordKind::string;
@@ -229,9 +229,9 @@ bool at_string(Interpreter& in) {
   return value != nullptr && std::holds_alternative<std::string>(*value);
 }
 
-std::string parse_string(Interpreter& in) {
-  const Interpreter::Release release(in);
-  const Interpreter::Nesting nesting(in);
+std::string parse_string(Evaluator& in) {
+  const Evaluator::Release release(in);
+  const Evaluator::Nesting nesting(in);
   if (!at_string(in)) in.fail(in.peek().location, "expected a string, found " + in.describe_next());
   if (in.peek().kind == TokenKind::identifier) {
     std::string result = std::get<std::string>(*in.peek_value());
@@ -242,7 +242,7 @@ std::string parse_string(Interpreter& in) {
   return token.kind == TokenKind::string ? unescape(in, token) : parse_string_function(in, token);
 }
 
-std::string parse_path(Interpreter& in) {
+std::string parse_path(Evaluator& in) {
   return in.peek().kind == TokenKind::string ? std::string(in.take().text) : parse_string(in);
 }
 

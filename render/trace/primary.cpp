@@ -51,6 +51,7 @@ void PrimaryRays::append_block(std::span<const PrimaryPlace> places, PrimaryBatc
     if (lens_) samples[i] = lens_->moved(samples[i]);
     in_picture.add(samples[i].x, samples[i].y, view_.width, view_.height);
   }
+  if (projection_->rays_per_place() > 1) return append_shared(in_picture, places, batch);
   CameraRays rays;
   projection_->project(in_picture, rays);
   for (std::size_t i = 0; lens_ && i < places.size(); ++i) {
@@ -62,11 +63,37 @@ void PrimaryRays::append_block(std::span<const PrimaryPlace> places, PrimaryBatc
       batch.dark.push_back(places[i].sample);
       continue;
     }
-    const Ray& ray = batch.rays.emplace_back(Ray{rays.origin.vector(i), unit(rays.direction.vector(i))});
-    RayTask& task = batch.tasks.emplace_back(unmade_);
-    task.origin = ray.origin;
-    task.medium = medium_.of(ray.origin);
-    task.sample = places[i].sample;
+    append_ray(rays, i, places[i].sample, 1.0f, batch);
+  }
+}
+
+void PrimaryRays::append_ray(const CameraRays& rays, std::size_t i, std::uint32_t sample, float share,
+                             PrimaryBatch& batch) const {
+  const Ray& ray = batch.rays.emplace_back(Ray{rays.origin.vector(i), unit(rays.direction.vector(i))});
+  RayTask& task = batch.tasks.emplace_back(unmade_);
+  task.origin = ray.origin;
+  task.medium = medium_.of(ray.origin);
+  task.sample = sample;
+  // What a ray may do without goes by its way, not by how many share the place.
+  task.set_weight(Rgb(share), 1.0f);
+}
+
+void PrimaryRays::append_shared(const PicturePlaces& in_picture, std::span<const PrimaryPlace> places,
+                                PrimaryBatch& batch) const {
+  std::array<int, kRaysAtOnce> counts{};
+  std::vector<CameraRays> all(static_cast<std::size_t>(projection_->rays_per_place()));
+  for (std::size_t number = 0; number < all.size(); ++number) {
+    projection_->project_further(static_cast<int>(number), in_picture, all[number]);
+    if (normal_) tilt(places.size(), all[number]);
+    for (std::size_t i = 0; i < places.size(); ++i) counts[i] += (all[number].missing >> i & 1u) != 0 ? 0 : 1;
+  }
+  for (std::size_t i = 0; i < places.size(); ++i) {
+    if (counts[i] == 0) batch.dark.push_back(places[i].sample);
+    for (const CameraRays& rays : all) {
+      if ((rays.missing >> i & 1u) != 0) continue;
+      append_ray(rays, i, places[i].sample, 1.0f / static_cast<float>(counts[i]), batch);
+    }
+    if (counts[i] > 1) batch.shared.push_back({batch.tasks.back(), counts[i]});
   }
 }
 

@@ -31,8 +31,15 @@ struct PrimaryBatch {
   std::vector<RayTask> tasks;
   std::vector<Ray> rays;
   std::vector<std::uint32_t> dark;  ///< samples of places that no ray leads through: they are black, and complete
+  /// Places that several rays share, an equal part of their light each.
+  struct Shared {
+    RayTask ray;  ///< any one of them
+    int rays;
+  };
+  std::vector<Shared> shared;
 
   void clear() {
+    shared.clear();
     tasks.clear();
     rays.clear();
     dark.clear();
@@ -60,6 +67,9 @@ class PrimaryRays {
 
  private:
   void append_block(std::span<const PrimaryPlace> places, PrimaryBatch& batch) const;
+  /// The same where places have several rays.
+  void append_shared(const PicturePlaces& in_picture, std::span<const PrimaryPlace> places, PrimaryBatch& batch) const;
+  void append_ray(const CameraRays& rays, std::size_t i, std::uint32_t sample, float share, PrimaryBatch& batch) const;
   /// Turns the rays by the camera's normal.
   void tilt(std::size_t count, CameraRays& rays) const;
 

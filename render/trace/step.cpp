@@ -1,5 +1,6 @@
 #include "render/trace/step.h"
 
+#include "render/camera/camera.h"
 #include "render/math/interrupt.h"
 #include "render/trace/surface_limits.h"
 
@@ -81,10 +82,13 @@ void Stepper::step(std::span<const RayTask> tasks) {
 
 void Stepper::step_primary(std::span<const RayTask> tasks, std::span<const Ray> rays) {
   begin(tasks);
+  const double sight = std::min(farthest_sight(context_.camera()), kFarthestHit);
+  rays_->max_depth.at.fill(sight);
   for (std::size_t first = 0; first < tasks.size() && !Interrupt::asked(); first += kRaysAtOnce) {
     const std::size_t count = std::min(tasks.size() - first, kRaysAtOnce);
     step_radiance(tasks.subspan(first, count), rays.subspan(first, count), std::span(light_).subspan(first, count));
   }
+  rays_->max_depth.at.fill(kFarthestHit);
 }
 
 void Stepper::begin(std::span<const RayTask> tasks) {

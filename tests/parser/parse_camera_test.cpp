@@ -63,12 +63,12 @@ TEST(ParseCameraKind, MeshCameraTakesMeshes) {
       "mesh_camera { 1 3 0.5 mesh2 { vertex_vectors { 3, 0, x, y } face_indices { 1, <0, 1, 2> } } smooth } location "
       "z");
   EXPECT_EQ(camera.kind, CameraKind::mesh);
-  EXPECT_EQ(spelled(camera.unrendered), "camera mesh_camera");
+  EXPECT_EQ(spelled(camera.unrendered), "");
   EXPECT_EQ(camera.mesh.rays_per_pixel, 1);
   EXPECT_EQ(camera.mesh.distribution, 3);
   EXPECT_EQ(camera.mesh.max_ray_distance, 0.5);
   EXPECT_TRUE(camera.mesh.smooth);
-  EXPECT_EQ(camera.mesh.meshes->size(), 1u);
+  EXPECT_EQ(camera.mesh.meshes.size(), 1u);
   for (const char* words :
        {"0 0 mesh { triangle { 0, x, y } }", "1 4 mesh { triangle { 0, x, y } }", "2 2 mesh { triangle { 0, x, y } }",
         "2 0 mesh { triangle { 0, x, y } }", "1 0 mesh { triangle { 0, x, y } } smooth", "1 0"}) {

@@ -1,4 +1,4 @@
-#include "parser/directive/language_state.h"
+#include "parser/text/language_state.h"
 
 #include <algorithm>
 #include <cmath>
