@@ -49,8 +49,10 @@ void Lens::bend(const LensSample& sample, std::size_t i, CameraRays& rays) const
   rays.direction.set(i, rays.direction.vector(i) * focal_share_ - offset);
 }
 
+bool has_lens(const Camera& camera) { return camera.blur.shows() && camera.kind != CameraKind::mesh; }
+
 Box3 ray_origins(const Camera& camera) {
-  if (!camera.blur.shows()) return make_projection(camera)->origins();
+  if (!has_lens(camera)) return make_projection(camera)->origins();
   constexpr double kFarthest = 1.0;  // half the side of the grid, and the jitter of a single sample
   const Vec3 right = sideways(camera) * (0.5 * camera.blur.aperture * kFarthest);
   const Vec3 up = upwards(camera) * (0.5 * camera.blur.aperture * kFarthest);

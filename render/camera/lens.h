@@ -38,6 +38,9 @@ class Lens {
   double focal_share_;  ///< the focal distance in lengths of the camera's direction
 };
 
+/// Whether rays begin at points of a lens. Mesh cameras have none.
+bool has_lens(const Camera& camera);
+
 /// A box about the origins of all rays of a camera, with its lens if it has one.
 Box3 ray_origins(const Camera& camera);
 

@@ -24,7 +24,7 @@ LensGrid grid_of(const FocalBlur& blur, const PatternWorld& world) {
 PrimaryRays::PrimaryRays(const Scene& scene, MediumTable& media, const View& view)
     : view_(view), projection_(make_projection(view.camera)), medium_(scene, media, ray_origins(view.camera)) {
   const PatternWorld world{scene.settings.noise_generator, scene.settings.number_of_waves};
-  if (view.camera.blur.shows()) lens_ = std::make_unique<const Lens>(view.camera, grid_of(view.camera.blur, world));
+  if (has_lens(view.camera)) lens_ = std::make_unique<const Lens>(view.camera, grid_of(view.camera.blur, world));
   if (view.camera.normal) {
     normal_ = std::make_unique<const CompiledNormal>(*view.camera.normal, world, /*keeps_length=*/false);
   }
@@ -54,8 +54,10 @@ void PrimaryRays::append_block(std::span<const PrimaryPlace> places, PrimaryBatc
   if (projection_->rays_per_place() > 1) return append_shared(in_picture, places, batch);
   CameraRays rays;
   projection_->project(in_picture, rays);
-  for (std::size_t i = 0; lens_ && i < places.size(); ++i) {
-    if ((rays.missing >> i & 1u) == 0) lens_->bend(samples[i], i, rays);
+  if (lens_) {
+    for (std::size_t i = 0; i < places.size(); ++i) {
+      if ((rays.missing >> i & 1u) == 0) lens_->bend(samples[i], i, rays);
+    }
   }
   if (normal_) tilt(places.size(), rays);
   for (std::size_t i = 0; i < places.size(); ++i) {
