@@ -107,7 +107,7 @@ LensGrid round_lens(int samples) {
 
 LensGrid shaped_lens(int samples, const std::function<double(double, double)>& light) {
   // Points of dark lenses are taken at last wherever they are, the sooner the longer the search has been.
-  constexpr double kMostTries = 1 << 24;
+  constexpr double kMostTries = 1 << 22;
   const double patience = std::min(static_cast<double>(samples) * samples, kMostTries);
   LensGrid grid{{}, most_jitter(samples, false)};
   std::mt19937 generator;  // draws are POV-Ray's, which passes over the first
