@@ -278,8 +278,7 @@ void Frame::ask_sinks() {
 
 double Frame::remaining() const {
   if (samples_ == 0) return 0.0;
-  const double counted =
-      std::ldexp(render::FixedRgb::to_double(remaining_.load(std::memory_order_relaxed)), left_out_);
+  const double counted = std::ldexp(render::FixedRgb::to_double(remaining_.load(std::memory_order_relaxed)), left_out_);
   return (counted + remaining_asked_.load(std::memory_order_relaxed)) / static_cast<double>(samples_);
 }
 

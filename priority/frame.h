@@ -54,9 +54,7 @@ class Frame {
   /// The same for samples that no root lights, or several.
   void add_rest(const render::PrimaryBatch& rays, Tally& tally);
   /// Light will be added to the tasks' samples soon.
-  void expect_light(std::span<const render::RayTask> tasks) const {
-    stage().sink->fetch(tasks);
-  }
+  void expect_light(std::span<const render::RayTask> tasks) const { stage().sink->fetch(tasks); }
   /// Makes known what the tally still holds. To be called by a worker before it rests, waits or leaves.
   void report(const render::RayCounts& counts, Tally& tally);
   render::RayCounts traced() const;

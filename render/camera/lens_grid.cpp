@@ -16,44 +16,71 @@ namespace {
 
 constexpr double kRadius = 0.5;
 
-// Digits as POV-Ray has them: the last ones shift rays by less than can be seen, but pictures are to agree.
-constexpr std::array<LensPoint, 4> kSquare{{{-0.25, 0.25}, {0.25, 0.25}, {-0.25, -0.25}, {0.25, -0.25}}};
-constexpr std::array<LensPoint, 7> kHexagon{{
-    {-0.288675, 0.0}, {0.0, 0.0}, {0.288675, 0.0}, {-0.144338, 0.25}, {-0.144338, -0.25}, {0.144338, 0.25},
-    {0.144338, -0.25},
-}};
-constexpr std::array<LensPoint, 19> kHexagons3{{
-    {-0.192450, 0.333333}, {-0.192450, -0.333333}, {0.192450, 0.333333}, {0.192450, -0.333333}, {0.384900, 0.0},
-    {-0.384900, 0.0}, {0.0, 0.0},
-    {0.0, 0.333333}, {0.0, -0.333333}, {-0.288675, 0.166667}, {-0.288675, -0.166667}, {0.288675, 0.166667},
-    {0.288675, -0.166667},
-    {-0.096225, 0.166667}, {-0.096225, -0.166667}, {0.096225, 0.166667}, {0.096225, -0.166667}, {-0.192450, 0.0},
-    {0.192450, 0.0},
-}};
-constexpr std::array<LensPoint, 37> kHexagons4{{
-    {0.0, 0.0}, {-0.216506, 0.375}, {0.216506, -0.375}, {-0.216506, -0.375}, {0.216506, 0.375}, {-0.433013, 0.0},
-    {0.433013, 0.0},
-    {-0.144338, 0.25}, {0.144338, -0.25}, {-0.144338, -0.25}, {0.144338, 0.25}, {-0.288675, 0.0}, {0.288675, 0.0},
-    {-0.072169, 0.125}, {0.072169, -0.125}, {-0.072169, -0.125}, {0.072169, 0.125}, {-0.144338, 0.0}, {0.144338, 0.0},
-    {-0.360844, 0.125}, {-0.360844, -0.125}, {0.360844, 0.125}, {0.360844, -0.125},
-    {-0.288675, 0.25}, {-0.288675, -0.25}, {0.288675, 0.25}, {0.288675, -0.25},
-    {-0.072169, 0.375}, {-0.072169, -0.375}, {0.072169, 0.375}, {0.072169, -0.375},
-    {-0.216506, 0.125}, {-0.216506, -0.125}, {0.216506, 0.125}, {0.216506, -0.125},
-    {0.0, 0.25}, {0.0, -0.25},
-}};
+double rounded(double x, double steps_of_one) { return std::round(x * steps_of_one) / steps_of_one; }
 
-std::span<const LensPoint> fixed_points(int samples) {
-  if (samples >= 37) return kHexagons4;
-  if (samples >= 19) return kHexagons3;
-  if (samples >= 7) return kHexagon;
-  return kSquare;
-}
+/// A lens of hexagons: points of a triangular lattice, ring by ring as they are taken, in steps of it.
+struct Hexagons {
+  struct Step {
+    int x;
+    int y;
+  };
+  int rows;  ///< of the lattice, along the radius of the lens
+  std::span<const Step> steps;
 
-double most_jitter(int samples, bool is_round) {
-  if (is_round && samples == 7) return 0.144338;
-  if (is_round && samples == 19) return 0.096225;
-  if (is_round && samples == 37) return 0.0721688;
-  return 0.5 / std::sqrt(static_cast<double>(samples));
+  int size() const { return static_cast<int>(steps.size()); }
+  double width() const { return 0.5 / (rows * std::numbers::sqrt3); }  ///< of a step
+  double height() const { return 0.5 / rows; }
+  // Points and moves as POV-Ray rounds them: points lie on borders of the squares that further points keep to, and some
+  // moves bring rays exactly to the middle of the lens, where a scene may have a border too.
+  double most_jitter() const { return rounded(width(), width() < 0.1 ? 1e7 : 1e6); }
+  std::vector<LensPoint> points() const {
+    constexpr double kSixDecimals = 1e6;
+    std::vector<LensPoint> points;
+    for (const auto& [x, y] : steps) {
+      points.push_back({rounded(x * width(), kSixDecimals), rounded(y * height(), kSixDecimals)});
+    }
+    return points;
+  }
+};
+
+// The order is POV-Ray's: each portion that is traced together is spread over the lens.
+constexpr std::array<Hexagons::Step, 7> kSteps2{{{-2, 0}, {0, 0}, {2, 0}, {-1, 1}, {-1, -1}, {1, 1}, {1, -1}}};
+constexpr std::array<Hexagons::Step, 19> kSteps3{{{-2, 2},
+                                                  {-2, -2},
+                                                  {2, 2},
+                                                  {2, -2},
+                                                  {4, 0},
+                                                  {-4, 0},
+                                                  {0, 0},
+                                                  {0, 2},
+                                                  {0, -2},
+                                                  {-3, 1},
+                                                  {-3, -1},
+                                                  {3, 1},
+                                                  {3, -1},
+                                                  {-1, 1},
+                                                  {-1, -1},
+                                                  {1, 1},
+                                                  {1, -1},
+                                                  {-2, 0},
+                                                  {2, 0}}};
+constexpr std::array<Hexagons::Step, 37> kSteps4{
+    {{0, 0},   {-3, 3}, {3, -3},  {-3, -3}, {3, 3},   {-6, 0},  {6, 0},  {-2, 2}, {2, -2},  {-2, -2},
+     {2, 2},   {-4, 0}, {4, 0},   {-1, 1},  {1, -1},  {-1, -1}, {1, 1},  {-2, 0}, {2, 0},   {-5, 1},
+     {-5, -1}, {5, 1},  {5, -1},  {-4, 2},  {-4, -2}, {4, 2},   {4, -2}, {-1, 3}, {-1, -3}, {1, 3},
+     {1, -3},  {-3, 1}, {-3, -1}, {3, 1},   {3, -1},  {0, 2},   {0, -2}}};
+const std::array<Hexagons, 3> kHexagons{{{4, kSteps4}, {3, kSteps3}, {2, kSteps2}}};
+
+/// The points that a round lens begins with: the largest hexagon that is not too large, or a square.
+LensGrid begin_of_round_lens(int samples) {
+  const double usual_jitter = 0.5 / std::sqrt(static_cast<double>(samples));
+  for (const Hexagons& hexagons : kHexagons) {
+    if (samples < hexagons.size()) continue;
+    return {hexagons.points(), samples == hexagons.size() ? hexagons.most_jitter() : usual_jitter};
+  }
+  LensGrid square{{{-0.25, 0.25}, {0.25, 0.25}, {-0.25, -0.25}, {0.25, -0.25}}, usual_jitter};
+  if (samples < 4) square.points.resize(static_cast<std::size_t>(samples));
+  return square;
 }
 
 LensPoint point_of_disc(std::uint64_t index) {
@@ -88,10 +115,8 @@ class Occupied {
 
 LensGrid round_lens(int samples) {
   constexpr int kTries = 10;  // for each point, taken together
-  const std::span<const LensPoint> fixed = fixed_points(samples);
   const auto count = static_cast<std::size_t>(samples);
-  LensGrid grid{{fixed.begin(), fixed.begin() + static_cast<std::ptrdiff_t>(std::min(count, fixed.size()))},
-                most_jitter(samples, true)};
+  LensGrid grid = begin_of_round_lens(samples);
   Occupied occupied(samples);
   for (const LensPoint& point : grid.points) occupied.take(point);
   std::uint64_t tried = 0;
@@ -109,7 +134,7 @@ LensGrid shaped_lens(int samples, const std::function<double(double, double)>& l
   // Points of dark lenses are taken at last wherever they are, the sooner the longer the search has been.
   constexpr double kMostTries = 1 << 22;
   const double patience = std::min(static_cast<double>(samples) * samples, kMostTries);
-  LensGrid grid{{}, most_jitter(samples, false)};
+  LensGrid grid{{}, 0.5 / std::sqrt(static_cast<double>(samples))};
   std::mt19937 generator;  // draws are POV-Ray's, which passes over the first
   generator.discard(1);
   for (std::uint64_t tried = 0; grid.points.size() < static_cast<std::size_t>(samples); ++tried) {

@@ -133,7 +133,8 @@ void PlaceSampler::show(std::uint32_t pixel, bool is_enough) {
     pixels_[pixel] = mean;
     film_.refine(pixel, mean, 1.0f);
   } else {
-    film_.refine(pixel, mean, is_enough ? 0.0f : 1.0f - static_cast<float>(sums.count) / static_cast<float>(rule_->most()));
+    film_.refine(pixel, mean,
+                 is_enough ? 0.0f : 1.0f - static_cast<float>(sums.count) / static_cast<float>(rule_->most()));
   }
 }
 
@@ -141,9 +142,7 @@ Rgb PlaceSampler::color(std::uint32_t number) const {
   return rule_ ? sums_[number].mean() : film_.sample_color(film_.pixels() + number);
 }
 
-Rgb PlaceSampler::pixel_color(std::uint32_t pixel) const {
-  return rule_ ? pixels_[pixel] : film_.sample_color(pixel);
-}
+Rgb PlaceSampler::pixel_color(std::uint32_t pixel) const { return rule_ ? pixels_[pixel] : film_.sample_color(pixel); }
 
 void PlaceSampler::settle(std::uint32_t pixel) {
   if (rule_) {

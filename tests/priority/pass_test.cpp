@@ -122,8 +122,7 @@ Traced trace_with(MirrorRoom& room, std::string_view scheme_text, int threads) {
   Map map;
   FilmSink film_sink(film);
   MapSource map_source(rays, map);
-  TileSource tiles(rays, film,
-                   render::PrimaryTiles(kWidth, kHeight, 0.5, render::PrimaryTiles::Order::coarse_to_fine));
+  TileSource tiles(rays, film, render::PrimaryTiles(kWidth, kHeight, 0.5, render::PrimaryTiles::Order::coarse_to_fine));
   MapRounds map_rounds(map);
   RoundSource rounds(rays, map_rounds);
   const std::array<Pass, 3> passes{Pass{&map_source, &map}, Pass{&tiles, &film_sink}, Pass{&rounds, &film_sink}};

@@ -17,11 +17,8 @@ namespace firstlight::render {
 namespace {
 
 BlurSettings settings_of(int samples, double variance = 1e-3, int min_samples = 0, bool is_round = true) {
-  return {.samples = samples,
-          .min_samples = min_samples,
-          .confidence = 0.9,
-          .variance = variance,
-          .is_round = is_round};
+  return {
+      .samples = samples, .min_samples = min_samples, .confidence = 0.9, .variance = variance, .is_round = is_round};
 }
 
 std::vector<int> stops_of(const BlurSettings& settings) {
@@ -108,7 +105,8 @@ TEST(PlaceSampler, FindsWhatAPlaceBecomesSampleAfterSample) {
     develop(film, settings, nullptr, painting);
     for (int y = 0; y < 20; ++y) {
       for (int x = 0; x < 30; ++x) {
-        ASSERT_EQ(film.color(x, y), place_color(painting, settings, x + 0.5, y + 0.5)) << x << ' ' << y << ' ' << samples;
+        ASSERT_EQ(film.color(x, y), place_color(painting, settings, x + 0.5, y + 0.5))
+            << x << ' ' << y << ' ' << samples;
         ASSERT_EQ(film.outstanding(x, y), 0.0);
       }
     }
