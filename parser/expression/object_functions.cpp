@@ -11,17 +11,12 @@
 
 namespace firstlight::parser {
 
-using render::Feature;
 using render::Object;
 using render::Vec3;
 
 namespace {
 
 using ObjectPtr = std::shared_ptr<const Object>;
-
-/// Where an object is taken to be that is only described. Pictures of such scenes are refused; an answer that is not
-/// empty lets the scene be read to its end.
-const render::Box3 kMadeUpBox{Vec3(0.0), Vec3(1.0)};
 
 void comma(Evaluator& in) {
   if (in.peek().is(Punctuation::comma)) in.take();
@@ -54,14 +49,7 @@ Vec3 parse_trace(Evaluator& in, const Token& word) {
   comma(in);
   const Vec3 direction = parse_vector(in);
   comma(in);
-  const render::ObjectProbe& probe = in.probe(object);
-  std::optional<render::ObjectProbe::Hit> hit;
-  if (probe.is_complete()) {
-    hit = probe.trace(origin, direction);
-  } else {
-    in.note_unrendered(Feature::trace, word.location);
-    hit = render::ObjectProbe::Hit{origin + direction, -direction};
-  }
+  const std::optional<render::ObjectProbe::Hit> hit = in.probe(object).trace(origin, direction);
   const Value* normal = in.peek_value();
   if (normal != nullptr && std::holds_alternative<Numbers>(*normal)) {
     const Scopes::Binding variable = in.take_binding();
@@ -78,19 +66,12 @@ bool parse_inside(Evaluator& in, const Token& word) {
   comma(in);
   const Vec3 point = parse_vector(in);
   in.expect(Punctuation::right_paren, "to close", word.text);
-  const render::ObjectProbe& probe = in.probe(object);
-  if (probe.is_complete()) return probe.inside(point);
-  in.note_unrendered(Feature::inside, word.location);
-  return kMadeUpBox.intersects(point);
+  return in.probe(object).inside(point);
 }
 
 Vec3 parse_extent(Evaluator& in, const Token& word) {
   const ObjectPtr object = take_object(in, word);
   in.expect(Punctuation::right_paren, "to close", word.text);
-  if (!render::is_made(*object)) {
-    in.note_unrendered(Feature::extent, word.location);
-    return word.is(Keyword::min_extent) ? kMadeUpBox.min : kMadeUpBox.max;
-  }
   const render::Box3 box = render::extent(*object).box();
   return word.is(Keyword::min_extent) ? box.min : box.max;
 }

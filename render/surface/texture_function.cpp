@@ -40,6 +40,23 @@ class PatternFunction final : public Function {
     compiled_.places(there, points, place);
     *results = place[0];
   }
+  void evaluate_many(const double* const* arguments, double* const* results, std::size_t count,
+                     Evaluation&) const override {
+    std::fill_n(results[0], count, 0.0);
+    if (!compiled_.has_places() || !unrendered().empty()) return;
+    SurfacePoints points;
+    for (std::size_t begin = 0; begin < count; begin += kRaysAtOnce) {
+      points.size = std::min(kRaysAtOnce, count - begin);
+      for (std::size_t axis = 0; axis < 3; ++axis) {
+        std::copy_n(arguments[axis] + begin, points.size, points.at.of[axis].at.begin());
+      }
+      Columns3<double> there;
+      Column<double> place;
+      compiled_.to_pattern(points, there);
+      compiled_.places(there, points, place);
+      std::copy_n(place.at.begin(), points.size, results[0] + begin);
+    }
+  }
 
  private:
   Patterning pattern_;

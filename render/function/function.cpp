@@ -1,0 +1,18 @@
+#include "render/function/function.h"
+
+#include <array>
+
+namespace firstlight::render {
+
+void Function::evaluate_many(const double* const* arguments, double* const* results, std::size_t count,
+                             Evaluation& evaluation) const {
+  std::array<double, kMostParameters> point;
+  std::array<double, kMostResults> values;
+  for (std::size_t i = 0; i < count; ++i) {
+    for (std::size_t p = 0; p < parameters_; ++p) point[p] = arguments[p][i];
+    evaluate(point.data(), values.data(), evaluation);
+    for (std::size_t r = 0; r < results_; ++r) results[r][i] = values[r];
+  }
+}
+
+}  // namespace firstlight::render
