@@ -74,36 +74,6 @@ TEST(ParseForm, OvusWithATooLargeTopIsASphere) {
   EXPECT_NE(parsed_object("ovus { -1, 3 }").errors.find("must be positive"), std::string::npos);
 }
 
-TEST(ParseForm, JuliaFractalTakesItsFunctionAndSlice) {
-  const auto plain = form_of<render::JuliaFractalForm>("julia_fractal { <-0.083, 0, -0.83, -0.025> }");
-  EXPECT_EQ(plain.function, render::JuliaFunction::square);
-  EXPECT_EQ(plain.algebra, render::JuliaFractalForm::Algebra::quaternion);
-  EXPECT_EQ(plain.most_iterations, 20);
-  EXPECT_EQ(plain.precision, 20.0);
-  const auto form = form_of<render::JuliaFractalForm>(
-      "julia_fractal { <1, 2, 3, 4> hypercomplex pwr(2, 3) max_iteration 8.9 precision 0.5 slice <0, 0, 0, 2>, 0.1 }");
-  EXPECT_EQ(form.parameter, render::Vec4(1, 2, 3, 4));
-  EXPECT_EQ(form.function, render::JuliaFunction::power);
-  EXPECT_EQ(form.exponent, (std::pair<double, double>(2, 3)));
-  EXPECT_EQ(form.most_iterations, 8);
-  EXPECT_EQ(form.precision, 1.0);
-  EXPECT_EQ(form.slice_normal, render::Vec4(0, 0, 0, 1));
-  EXPECT_EQ(form.slice_distance, 0.1);
-}
-
-TEST(ParseForm, JuliaFractalKnowsAllFunctions) {
-  for (const char* word : {"sqr", "cube"}) {
-    form_of<render::JuliaFractalForm>("julia_fractal { <1, 0, 0, 0> quaternion " + std::string(word) + " }");
-  }
-  for (const char* word : {"exp", "reciprocal", "sin", "asin", "sinh", "asinh", "cos", "acos", "cosh", "acosh", "tan",
-                           "atan", "tanh", "atanh", "ln"}) {
-    const std::string text = std::string(word) + " hypercomplex }";
-    EXPECT_NE(form_of<render::JuliaFractalForm>("julia_fractal { <1, 0, 0, 0> " + text).function,
-              render::JuliaFunction::square);
-    EXPECT_NE(parsed_object("julia_fractal { <1, 0, 0, 0> " + std::string(word) + " }").errors, "");
-  }
-}
-
 TEST(ParseForm, JuliaFractalRefusesASliceWithoutDirection) {
   EXPECT_NE(parsed_object("julia_fractal { 1 slice 0, 1 }").errors.find("'slice' is zero"), std::string::npos);
   EXPECT_NE(parsed_object("julia_fractal { 1 slice <1, 0, 0, 0>, 1 }").errors.find("last component"),
