@@ -15,6 +15,7 @@ namespace {
 constexpr double kSkip = 5.0;
 constexpr double kOnSurface = 4.0;
 constexpr std::uint64_t kProbes = 2000;
+constexpr double kProbeInstructions = 1e8;  ///< of the function, of all probes together
 
 /// Takes crossings that nobody wants.
 struct Nothing {
@@ -77,25 +78,27 @@ struct Isosurface {
     const Box3 box = bounds();
     const Vec3 size = box.size();
     Nothing nothing;
-    for (std::uint64_t i = 0; i < kProbes; ++i) {
+    double left = kProbeInstructions / static_cast<double>(p.function->cost());
+    for (std::uint64_t i = 0; i < kProbes && left > 0.0; ++i) {
       const HashedDraws draw(Vec3(static_cast<double>(i), 0.0, 0.0));
       const Vec3 from = box.min + size * Vec3(draw[0], draw[1], draw[2]);
       const Vec3 to = box.min + size * Vec3(draw[3], draw[4], draw[5]);
       const Vec3 direction = unit(to - from);
       const Ray ray{from - direction * size.length(), direction};
       FieldGradient gradient = start_gradient();
-      meet(ray, nothing, gradient);
+      left -= meet(ray, nothing, gradient);
       if (gradient.most < kBoundless) p.max_gradient = std::max(p.max_gradient, gradient.most);
     }
   }
 
+  /// Returns how often the function was asked, but for a few times.
   template <class Taker>
-  void meet(const Ray& ray, Taker& met, FieldGradient& gradient) const {
+  int meet(const Ray& ray, Taker& met, FieldGradient& gradient) const {
     const std::optional<ContainedPart> part = contained_part(p.container, ray);
-    if (!part) return;
+    if (!part) return 0;
     double begin = std::max(part->begin, 0.0);
     const double end = std::min(part->end, kBoundingHuge);
-    if (begin > met.high()) return;
+    if (begin > met.high()) return 0;
     Evaluation evaluation = start();
     RayField field(*p.function, p.threshold, ray, evaluation);
     bool enters_cap = false;
@@ -110,9 +113,10 @@ struct Isosurface {
       begin = start_within(field);
     }
     begin = std::min(begin, end);
-    if (end - begin < p.accuracy) return;
+    if (end - begin < p.accuracy) return 0;
     if (enters_cap) met.add(begin, part->begin_face);
 
+    int evaluations = 0;
     RootSearch search(field, ray.direction.length(), p.accuracy, gradient);
     for (int trace = enters_cap ? 1 : 0; trace < p.max_trace && !met.is_enough(); ++trace) {
       double at_begin = field.at(begin);
@@ -121,6 +125,7 @@ struct Isosurface {
         at_begin = -at_begin;
       }
       const std::optional<double> root = search.first(begin, at_begin, end, field.at(end), met.high());
+      evaluations += search.evaluations();
       if (!root) break;
       met.add(*root);
       begin = *root + p.accuracy * kSkip;
@@ -129,6 +134,7 @@ struct Isosurface {
     }
     gradient = search.gradient();
     if (leaves_cap) met.add(part->end, part->end_face);
+    return evaluations;
   }
   /// The ray's beginning, away from the surface that it begins on or in.
   double start_within(RayField& field) const {

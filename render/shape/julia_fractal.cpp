@@ -14,7 +14,8 @@ namespace firstlight::render {
 namespace {
 
 // POV-Ray's, as all that follows.
-constexpr double kTolerance = 1e-8;
+constexpr double kTolerance = 1e-7;  ///< of a point of the surface
+constexpr double kLeastSlope = 1e-8;
 constexpr double kLongestStep = 30.0;  ///< of hypercomplex sets, in units of the least
 /// Of one ray. A step can be so short that a depth does not feel it.
 constexpr int kMostSteps = 1'000'000;
@@ -22,18 +23,33 @@ constexpr int kIterationsBetween = 100'000;  ///< questions whether the work is 
 
 double square_length(const Vec4& q) { return q.x * q.x + q.y * q.y + q.z * q.z + q.w * q.w; }
 
+/// The product of two quaternions, with k j = i.
+Vec4 quaternion_product(const Vec4& a, const Vec4& b) {
+  return Vec4(a.x * b.x - a.y * b.y - a.z * b.z - a.w * b.w, a.x * b.y + a.y * b.x + a.w * b.z - a.z * b.w,
+              a.x * b.z + a.z * b.x + a.y * b.w - a.w * b.y, a.x * b.w + a.w * b.x + a.z * b.y - a.y * b.z);
+}
+/// The same with the sums in another order.
+Vec4 quaternion_product_for_cubes(const Vec4& a, const Vec4& b) {
+  return Vec4(a.x * b.x - a.y * b.y - a.z * b.z - a.w * b.w, a.x * b.y + a.y * b.x - a.z * b.w + a.w * b.z,
+              a.x * b.z + a.y * b.w + a.z * b.x - a.w * b.y, a.x * b.w - a.y * b.z + a.z * b.y + a.w * b.x);
+}
+
 /// All that an iteration comes through, the starting point first.
 using Orbit = std::vector<Vec4>;
 
-// What is iterated. Each has `next`, the value behind `q` without the set's parameter; what a ray may step without leaving
-// a side of the surface, from an orbit that left the set at value `last`, or 0 where it cannot tell; and the direction in
+// What is iterated. Each has `size`, the square of a value's; `next`, the value behind `q` without the set's parameter; what a
+// ray may step without leaving a side of the surface, from an orbit that left the set at value `last`; and the direction in
 // which the last value of an orbit grows, as far as the slice goes.
+//
+// All sums are in POV-Ray's order. A step hangs on the one before it, so what is rounded in another way grows until points of the
+// surface are elsewhere by as much as decides whether a feeler begins inside or outside.
 
 /// q^2 and q^3 of quaternions.
 template <int kPower>
 struct QuaternionPower {
   static constexpr bool kMistakesZ = false;
 
+  static double size(const Vec4& q) { return q.y * q.y + q.z * q.z + q.w * q.w + q.x * q.x; }
   Vec4 next(const Vec4& q, const Vec4&) const {
     const double d = q.y * q.y + q.z * q.z + q.w * q.w;
     const double x2 = q.x * q.x;
@@ -44,17 +60,16 @@ struct QuaternionPower {
     const double f = 3.0 * x2 - d;
     return Vec4(q.x * (x2 - 3.0 * d), q.y * f, q.z * f, q.w * f);
   }
-  /// The distance to the set, estimated. [Hart, Sandin, Kauffman 1989, "Ray tracing deterministic 3-D fractals"] The size of a
-  /// product of quaternions is that of their sizes.
+  /// The distance to the set, estimated. [Hart, Sandin, Kauffman 1989, "Ray tracing deterministic 3-D fractals"]
   double step(const Orbit& orbit, std::size_t last, const Vec3&, double) const {
-    double squares = 1.0;
-    double share = 1.0;
-    for (std::size_t i = 0; i <= last; ++i) {
-      squares *= square_length(orbit[i]);
+    Vec4 product = orbit[0];
+    double share = 1.0 / kPower;
+    for (std::size_t i = 1; i <= last; ++i) {
+      product = kPower == 2 ? quaternion_product(product, orbit[i]) : quaternion_product_for_cubes(product, orbit[i]);
       share /= kPower;
     }
-    const double square = square_length(orbit[last]);
-    return share * std::sqrt(square / squares) * std::log(square);
+    const double square = size(orbit[last]);
+    return share * std::sqrt(square / square_length(product)) * std::log(square);
   }
   /// The derivatives of the last value by x, y and z of the first, each times that value.
   Vec3 normal(const Orbit& orbit, std::size_t last) const {
@@ -80,22 +95,23 @@ struct QuaternionPower {
   }
 };
 
-/// Functions of hypercomplex numbers. `Rule` has `next`, and `factor`, by which a change grows at a value; kGrows: and by 2.
+/// Functions of hypercomplex numbers. `Rule` has `size` and `next`, and `grown`, what becomes of a change at a value; kGrows:
+/// and by 2.
 template <class Rule>
 struct Hypercomplex : Rule {
   /// By how far the size grows along the ray; the least step where that says nothing.
   double step(const Orbit& orbit, std::size_t last, const Vec3& direction, double least) const {
     const double fall = -normal(orbit, last).dot(direction);
-    if (!(fall > kTolerance)) return least;
+    if (!(fall > kLeastSlope)) return least;
     const double slope = 2.0 * fall;
-    const double square = square_length(orbit[last]);
+    const double square = this->size(orbit[last]);
     return square > least * slope && square < kLongestStep * least * slope ? square / slope : least;
   }
   Vec3 normal(const Orbit& orbit, std::size_t last) const {
     Vec4 q = orbit[0];
     double growth = Rule::kGrows ? 2.0 : 1.0;
     for (std::size_t i = 1; i < last; ++i) {
-      q = hyper_product(this->factor(orbit[i]), q);
+      q = this->grown(q, orbit[i]);
       if (Rule::kGrows) growth *= 2.0;
     }
     const Vec4 n = orbit[last] * growth;
@@ -107,23 +123,33 @@ struct Hypercomplex : Rule {
 struct HyperSquare {
   static constexpr bool kMistakesZ = false;
   static constexpr bool kGrows = true;
-  Vec4 next(const Vec4& q, const Vec4&) const { return hyper_square(q); }
-  Vec4 factor(const Vec4& q) const { return q; }
+  static double size(const Vec4& q) { return (q.x * q.x + q.w * q.w) + (q.y * q.y + q.z * q.z); }
+  Vec4 next(const Vec4& q, const Vec4&) const {
+    Vec4 square = hyper_square(q);
+    square.x = (q.x * q.x + q.w * q.w) - (q.y * q.y + q.z * q.z);
+    return square;
+  }
+  Vec4 grown(const Vec4& change, const Vec4& q) const { return hyper_product(q, change); }
 };
 /// POV-Ray iterates the square here too.
 struct HyperCube : HyperSquare {
   static constexpr bool kGrows = false;
+  static double size(const Vec4& q) { return square_length(q); }
+  Vec4 next(const Vec4& q, const Vec4&) const { return hyper_square(q); }
 };
 struct HyperReciprocal {
   static constexpr bool kMistakesZ = false;
   static constexpr bool kGrows = false;
+  static double size(const Vec4& q) { return square_length(q); }
   /// Where there is none, the one before it.
   Vec4 next(const Vec4& q, const Vec4& before) const {
     Vec4 result = before;
     hyper_reciprocal(q, result);
     return result;
   }
-  Vec4 factor(const Vec4& q) const { return -hyper_square(next(q, Vec4(0.0))); }
+  Vec4 grown(const Vec4& change, const Vec4& q) const {
+    return hyper_product(change, -hyper_square(next(q, Vec4(0.0))));
+  }
 };
 struct HyperFunction {
   /// POV-Ray asks whether a point is inside at (x, y, y), while it looks for the surface at (x, y, z).
@@ -131,8 +157,9 @@ struct HyperFunction {
   static constexpr bool kGrows = false;
   ComplexFunction function;
   std::complex<double> exponent;
+  static double size(const Vec4& q) { return square_length(q); }
   Vec4 next(const Vec4& q, const Vec4&) const { return hyper_function(q, function, exponent); }
-  Vec4 factor(const Vec4& q) const { return next(q, Vec4(0.0)); }
+  Vec4 grown(const Vec4& change, const Vec4& q) const { return hyper_product(next(q, Vec4(0.0)), change); }
 };
 
 /// The set in its own space.
@@ -174,8 +201,8 @@ struct JuliaFractal {
       const double next_step = march.step;
       const double found = depth + march.halve(before, step, was_in);
       const Vec3 n = march.normal();
-      met.add(found / length, n.z < 0.0 ? 1 : 0, {n.x, n.y});
-      if (!met.wants_all()) return;
+      met.add(found * (1.0 / length), n.z < 0.0 ? 1 : 0, {n.x, n.y});
+      if (!met.wants_all()) return;  // even if it is too near to count
       depth += step;
       march.step = next_step;
     }
@@ -217,7 +244,7 @@ struct JuliaFractal {
       Vec4 function(0.0);
       orbit[0] = q;
       for (std::size_t i = 0; i < count; ++i) {
-        if (square_length(q) > set.exit_value) {
+        if (set.iterated.size(q) > set.exit_value) {
           last = i;
           iterations += static_cast<int>(i) + 1;
           return false;

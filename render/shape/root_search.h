@@ -30,6 +30,7 @@ class RootSearch {
       : field_(field), speed_(speed), accuracy_(accuracy), gradient_(gradient) {}
 
   const FieldGradient& gradient() const { return gradient_; }
+  int evaluations() const { return evaluations_; }  ///< of the last search
   /// The first root between two depths, of which the field is known; none that lies in a stretch beyond `high`.
   std::optional<double> first(double begin, double at_begin, double end, double at_end, double high);
 

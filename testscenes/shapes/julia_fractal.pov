@@ -1,7 +1,7 @@
 // Both algebras, functions of all kinds, slices, precisions, placements, and what is made of several shapes.
 #version 3.7;
 global_settings { assumed_gamma 1 }
-camera { location <0, 5, -12> look_at <0, 0, 0> angle 52 }
+camera { location <0, 5, -12> look_at <0, 0, 0> angle 75 }
 light_source { <-5, 10, -9> rgb 0.9 }
 light_source { <8, 5, -9> rgb 0.4 }
 plane { y, -1.6 pigment { checker rgb 0.8 rgb 0.6 } }
