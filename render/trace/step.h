@@ -139,6 +139,18 @@ class Stepper {
   void add_feeler(std::size_t hit, std::uint32_t light, PackedRgb at_stake);
   /// Returns true where the ray cannot leave and is reflected instead (total internal reflection).
   bool spawn_transmission(const Coating& coating);
+  /// What a ray passes into at a hit, and how it is bent there.
+  struct Passage {
+    std::uint32_t medium;
+    double ior;         ///< of the side the ray comes from, relative to the side it goes to
+    double dispersion;  ///< the same
+    int bands;          ///< that white light is split into, if there is dispersion
+  };
+  Passage passage_of(const Surface& surface) const;
+  /// Sends the child the way of its refraction; returns true where it is reflected instead.
+  bool bend(const Coating& coating, double ior, RayTask& child) const;
+  /// A ray for each band.
+  void spawn_bands(const Coating& coating, const Passage& passage, const Rgb& weight);
   /// `totally`: the coat reflects all by its topmost normal, so that mirrors of this normal have no part.
   void spawn_reflections(const Coating& coating, bool totally);
   /// What a thin film on the mirror makes of white light that comes from where it reflects.
