@@ -91,6 +91,25 @@ int roots_between(const std::array<double, N>& c, double low, double high, std::
   return count;
 }
 
+using Bernstein = std::array<double, kMostBernsteinOrder + 1>;
+
+/// How often the sign changes from one to the next; 0 counts as above 0.
+std::size_t sign_changes(const Bernstein& b, std::size_t order) {
+  std::size_t count = 0;
+  for (std::size_t i = 0; i < order; ++i) count += (b[i] < 0.0) != (b[i + 1] < 0.0) ? 1 : 0;
+  return count;
+}
+
+/// Those of the halves of an interval: `b` becomes the upper half's. [de Casteljau]
+Bernstein halve(Bernstein& b, std::size_t order) {
+  Bernstein lower;
+  for (std::size_t i = 0; i <= order; ++i) {
+    lower[i] = b[0];
+    for (std::size_t k = 0; k + i < order; ++k) b[k] = 0.5 * (b[k] + b[k + 1]);
+  }
+  return lower;
+}
+
 }  // namespace
 
 int quartic_roots(const std::array<double, 5>& c, double low, double high, std::array<double, 4>& roots) {
@@ -136,6 +155,54 @@ std::size_t polynomial_roots(std::span<const double> c, double low, double high,
     }
   }
   std::copy_n(found.begin(), count, roots.begin());
+  return count;
+}
+
+std::size_t bernstein_roots(std::span<const double> c, std::span<double> roots) {
+  constexpr int kDeepest = 40;  // two roots that are nearer to each other are one that touches
+  const std::size_t order = c.size() - 1;
+  if (c.size() < 2) return 0;
+  struct Part {
+    double low;
+    double high;
+    int depth;
+    Bernstein b;
+  };
+  std::array<Part, kDeepest + 2> waiting;  // the lowest is the last
+  std::size_t parts = 1;
+  waiting[0] = {0.0, 1.0, 0, {}};
+  // b[i] = sum over k up to i of binomial(i, k) / binomial(order, k) c[k], by differences.
+  Bernstein differences;
+  double binomial = 1.0;
+  for (std::size_t k = 0; k <= order; ++k) {
+    differences[k] = c[k] / binomial;
+    binomial *= static_cast<double>(order - k) / static_cast<double>(k + 1);
+  }
+  for (std::size_t i = 0; i <= order; ++i) {
+    waiting[0].b[i] = differences[0];
+    for (std::size_t k = 0; k + i < order; ++k) differences[k] += differences[k + 1];
+  }
+  std::array<double, kMostBernsteinOrder> derivative;
+  for (std::size_t i = 1; i <= order; ++i) derivative[i - 1] = static_cast<double>(i) * c[i];
+  const std::span<const double> slope{derivative.data(), order};
+  std::size_t count = 0;
+  while (parts > 0) {
+    Part& part = waiting[--parts];
+    const std::size_t changes = sign_changes(part.b, order);
+    if (changes == 0) continue;
+    if (changes == 1) {
+      roots[count++] = bracketed_root(c, slope, part.low, part.high, part.b[0] < 0.0);
+      if (count == order) break;
+      continue;
+    }
+    if (part.depth == kDeepest) continue;
+    const double middle = 0.5 * (part.low + part.high);
+    Part lower{part.low, middle, part.depth + 1, halve(part.b, order)};
+    part.low = middle;
+    ++part.depth;
+    waiting[++parts] = lower;
+    ++parts;
+  }
   return count;
 }
 

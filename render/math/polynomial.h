@@ -21,4 +21,11 @@ int cubic_roots(const std::array<double, 4>& c, double low, double high, std::ar
 constexpr std::size_t kMostOrder = 40;
 std::size_t polynomial_roots(std::span<const double> c, double low, double high, std::span<double> roots);
 
+/// The same in [0, 1], faster for high orders with few roots: by signs of Bernstein's coefficients, as many of which change
+/// as there are roots, or an even number more. An interval with one change has one root; others are halved.
+/// [Lane, Riesenfeld 1981, "Bounds on a polynomial"]
+/// Pre: the order is at most kMostBernsteinOrder.
+constexpr std::size_t kMostBernsteinOrder = 12;
+std::size_t bernstein_roots(std::span<const double> c, std::span<double> roots);
+
 }  // namespace firstlight::render
