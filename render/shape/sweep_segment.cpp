@@ -12,7 +12,7 @@ namespace {
 // Limits below which POV-Ray takes numbers for 0 here: a leading coefficient or a discriminant, and a slope.
 constexpr double kSmall = 1e-10;
 constexpr double kRightAngle = 1e-4;
-constexpr double kAcross = 1e-7;  ///< a ray's slope along a curve that counts as none, over the curve's speed
+constexpr double kAcross = 1e-4;  ///< a ray's slope along a curve that counts as none, over the curve's speed
 
 /// The product of two polynomials, c[k] x^k.
 template <std::size_t N, std::size_t M>
@@ -104,7 +104,8 @@ std::size_t SweepSegment::touching(const Ray& ray, std::array<double, kMostRoots
   }
   const std::array<double, 6> d1 = derivative(d);
   std::array<double, 3> b1 = derivative(b);
-  // Across the curve B' is 0 all along it, and the equation the square of D' = 0, which only touches 0.
+  // Across the curve B' is 0 all along it, and the equation the square of D' = 0, which only touches 0. Near that, pairs of
+  // roots lie by about B' beside those of D', where the distance is least: it is another by the square of B' only.
   const double largest = std::max({std::abs(b1[0]), std::abs(b1[1]), std::abs(b1[2])});
   double speed = 0.0;
   for (std::size_t i = 1; i <= order; ++i) speed = std::max(speed, coefficients[i].center.length());
