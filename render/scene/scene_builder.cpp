@@ -213,7 +213,10 @@ void SceneBuilder::State::promote_finish(std::uint32_t texture, std::uint32_t in
   const Texture& look = textures.texture(texture);
   if (!look.layers.empty() && !look.layers.front().extras->patterned) {
     const Finish& finish = look.layers.front().finish;
-    if (finish.legacy_ior > 0.0) matter.change().ior = finish.legacy_ior;
+    if (finish.legacy_ior > 0.0) {
+      matter.change().ior = finish.legacy_ior;
+      matter.change().dispersion = 1.0;
+    }
     if (finish.legacy_caustics >= 0.0) matter.change().caustics = finish.legacy_caustics / 45.0;
     if (matter->refraction_scale != finish.legacy_refraction) {
       matter.change().refraction_scale = finish.legacy_refraction;

@@ -35,6 +35,32 @@ std::array<double, N - 1> derivative(const std::array<double, N>& a) {
   return d;
 }
 
+/// The Bernstein coefficients of c on [0, 1] all on one side of 0: then there is no root between. A chance that is
+/// missed costs time only.
+template <std::size_t N>
+bool has_no_root(const std::array<double, N>& c) {
+  static const auto binomial = [] {
+    std::array<std::array<double, N>, N> table{};
+    for (std::size_t n = 0; n < N; ++n) {
+      table[n][0] = 1.0;
+      for (std::size_t k = 1; k <= n; ++k) table[n][k] = table[n - 1][k - 1] + (k < n ? table[n - 1][k] : 0.0);
+    }
+    return table;
+  }();
+  // b[i] = sum over k up to i of binomial(i, k) / binomial(order, k) c[k], by differences.
+  std::array<double, N> b;
+  for (std::size_t k = 0; k < N; ++k) b[k] = c[k] / binomial[N - 1][k];
+  bool above = true;
+  bool below = true;
+  for (std::size_t i = 0; i < N; ++i) {
+    above = above && b[0] >= 0.0;
+    below = below && b[0] <= 0.0;
+    if (!above && !below) return false;
+    for (std::size_t k = 0; k + 1 < N - i; ++k) b[k] += b[k + 1];
+  }
+  return true;
+}
+
 /// In [0, 1], of a polynomial of order 2 by POV-Ray's rule, which keeps the middle where two roots are one.
 std::size_t quadratic_roots(double a, double b, double c, std::span<double> roots) {
   std::size_t count = 0;
@@ -54,6 +80,13 @@ std::size_t quadratic_roots(double a, double b, double c, std::span<double> root
     add(0.5 * (b + std::sqrt(discriminant)));
     add(0.5 * (b - std::sqrt(discriminant)));
   }
+  return count;
+}
+
+/// In [0, 1].
+std::size_t unit_roots(std::span<const double> c, std::span<double> roots) {
+  std::size_t count = 0;
+  for (PolynomialRoots search(c, 0.0, 1.0); count < roots.size() && search.next(roots[count]);) ++count;
   return count;
 }
 
@@ -109,11 +142,11 @@ std::size_t SweepSegment::touching(const Ray& ray, std::array<double, kMostRoots
   const double largest = std::max({std::abs(b1[0]), std::abs(b1[1]), std::abs(b1[2])});
   double speed = 0.0;
   for (std::size_t i = 1; i <= order; ++i) speed = std::max(speed, coefficients[i].center.length());
-  if (largest <= kAcross * speed) return bernstein_roots(d1, u);
+  if (largest <= kAcross * speed) return unit_roots(d1, u);
   const std::array<double, 5> b1b1 = b1 * b1;
   for (double& c : b1) c = -c;
   const std::array<double, 11> equation = d1 * d1 + (b * b1) * d1 + b1b1 * d;
-  return bernstein_roots(equation, u);
+  return has_no_root(equation) ? 0 : unit_roots(equation, u);
 }
 
 bool SweepSegment::straight_depth(const Ray& ray, double u, double& depth) const {
@@ -128,7 +161,7 @@ bool SweepSegment::holds(const Vec3& point) const {
   const std::array<double, 7> d = distance(*this, point);
   std::array<double, 6> roots;
   if (order == 1) return quadratic_roots(d[2], d[1], d[0], roots) > 0;
-  return bernstein_roots(d, roots) > 0;
+  return !has_no_root(d) && PolynomialRoots(d, 0.0, 1.0).next(roots[0]);
 }
 
 }  // namespace firstlight::render
