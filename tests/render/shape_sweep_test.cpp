@@ -151,7 +151,7 @@ TEST(SphereSweep, InAPlaneIsMetByRaysAcrossIt) {
         target.z = 0.0;
         if (distance(sweep, target) > -0.01) continue;
         const Vec3 direction = Vec3(slope, 2.0 * slope, 1.0).normalized();
-        ASSERT_GE(depths(shape, {target - direction * 5.0, direction}).size(), 2u) << slope;
+        ASSERT_FALSE(depths(shape, {target - direction * 5.0, direction}).empty()) << slope;
       }
     }
   }
