@@ -4,6 +4,7 @@
 #include "render/math/noise.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 namespace firstlight::render {
@@ -69,7 +70,33 @@ double ridge(const double* p, const Evaluation&) {
   return value * scale / total;
 }
 
-// Parameters: H, lacunarity, octaves, offset, gain, generator.
+/// frequency^-H of the octaves of a fractal, which many points ask for one after the other.
+class OctavePowers {
+ public:
+  static constexpr int kKept = 24;
+
+  /// Of octaves from 1 up to kKept - 1.
+  static const std::array<double, kKept>& of(double h, double lacunarity) {
+    thread_local OctavePowers kept;
+    if (kept.h_ != h || kept.lacunarity_ != lacunarity) kept = OctavePowers(h, lacunarity);
+    return kept.powers_;
+  }
+
+ private:
+  OctavePowers() : OctavePowers(1.0, 2.0) {}
+  OctavePowers(double h, double lacunarity) : h_(h), lacunarity_(lacunarity) {
+    double frequency = 1.0;
+    for (double& power : powers_) {
+      power = std::pow(frequency, -h);
+      frequency *= lacunarity;
+    }
+  }
+
+  double h_;
+  double lacunarity_;
+  std::array<double, kKept> powers_;
+};
+
 double ridged_mf(const double* p, const Evaluation&) {
   const double* own = p + 3;
   const int generator = generator_of(own[5]);
@@ -78,6 +105,7 @@ double ridged_mf(const double* p, const Evaluation&) {
     const double below = own[3] - std::abs(signed_noise(point, generator));
     return below * below;
   };
+  const std::array<double, OctavePowers::kKept>& powers = OctavePowers::of(own[0], own[1]);
   Vec3 point = point_of(p);
   double signal = crest(point), result = signal, frequency = 1.0;
   for (int i = 1; i < octaves; ++i) {
@@ -85,7 +113,8 @@ double ridged_mf(const double* p, const Evaluation&) {
     frequency *= own[1];
     const double weight = std::clamp(signal * own[4], 0.0, 1.0);
     signal = crest(point) * weight;
-    result += signal * std::pow(frequency, -own[0]);
+    const bool is_kept = i < OctavePowers::kKept;
+    result += signal * (is_kept ? powers[static_cast<std::size_t>(i)] : std::pow(frequency, -own[0]));
   }
   return result;
 }

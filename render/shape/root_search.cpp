@@ -26,9 +26,9 @@ std::optional<double> RootSearch::first(double begin, double at_begin, double en
     gradient_.most *= (*gradient_.evaluate)[2];
   }
   const double length = end - begin;
-  const Stretch whole{begin, at_begin, end, at_end, length, gradient_.most * speed_ * length};
-  if (gradient_.evaluate != nullptr) return learning(whole);
-  add(whole, high);
+  const double climb = gradient_.most * speed_ * length;
+  if (gradient_.evaluate != nullptr) return learning({begin, at_begin, end, at_end, length, climb, false});
+  add(begin, at_begin, end, at_end, length, climb, high);
   while (!all.empty()) {
     if (all.back().is_found) return all.back().end;
     if (evaluations_ > kMostEvaluations || Interrupt::asked()) break;
@@ -38,12 +38,18 @@ std::optional<double> RootSearch::first(double begin, double at_begin, double en
 }
 
 /// Keeps what is to be halved or is an answer.
-void RootSearch::add(Stretch stretch, double high) {
-  if (!(stretch.begin <= high)) return;
-  stretch.is_found = stretch.length < accuracy_;
-  const bool counts =
-      stretch.is_found ? stretch.at_end < 0.0 : stretch.at_begin + stretch.at_end - stretch.climb < 0.0;
-  if (counts) waiting().push_back(stretch);
+inline void RootSearch::add(double begin, double at_begin, double end, double at_end, double length, double climb,
+                            double high) {
+  const bool is_short = length < accuracy_;
+  const bool counts = is_short ? at_end < 0.0 : at_begin + at_end - climb < 0.0;
+  if (counts && begin <= high) waiting().push_back({begin, at_begin, end, at_end, length, climb, is_short});
+}
+
+inline void RootSearch::halve(const Stretch& whole, double middle, double at_middle, double high) {
+  const double length = 0.5 * whole.length;
+  const double climb = 0.5 * whole.climb;
+  add(middle, at_middle, whole.end, whole.at_end, length, climb, high);
+  add(whole.begin, whole.at_begin, middle, at_middle, length, climb, high);
 }
 
 /// Halves the nearest stretch, and those behind it that will be looked at unless a root turns up before them: up to one
@@ -55,19 +61,22 @@ void RootSearch::halve_some(double high) {
     --first;
   }
   const std::size_t count = all.size() - first;
+  evaluations_ += static_cast<int>(count);
+  if (count == 1) {
+    const Stretch whole = all.back();
+    all.pop_back();
+    const double middle = whole.begin + 0.5 * whole.length;
+    halve(whole, middle, field_.at(middle), high);
+    return;
+  }
   std::array<Stretch, kFieldPoints> taken;
-  FieldColumn depths;
+  FieldColumn middles;
   FieldColumn values;
   std::copy_n(all.begin() + static_cast<std::ptrdiff_t>(first), count, taken.begin());
   all.resize(first);
-  for (std::size_t i = 0; i < count; ++i) depths[i] = taken[i].begin + 0.5 * taken[i].length;
-  field_.at({depths.data(), count}, values);
-  evaluations_ += static_cast<int>(count);
-  for (std::size_t i = 0; i < count; ++i) {
-    const Stretch& s = taken[i];
-    add({depths[i], values[i], s.end, s.at_end, 0.5 * s.length, 0.5 * s.climb}, high);
-    add({s.begin, s.at_begin, depths[i], values[i], 0.5 * s.length, 0.5 * s.climb}, high);
-  }
+  for (std::size_t i = 0; i < count; ++i) middles[i] = taken[i].begin + 0.5 * taken[i].length;
+  field_.at({middles.data(), count}, values);
+  for (std::size_t i = 0; i < count; ++i) halve(taken[i], middles[i], values[i], high);
 }
 
 /// Looks at one stretch after the other: what the nearer half teaches of the gradient counts in the further one.
@@ -89,8 +98,8 @@ std::optional<double> RootSearch::learning(const Stretch& whole) {
       if (++evaluations_ > kMostEvaluations || Interrupt::asked()) break;
       const double middle = s.begin + 0.5 * s.length;
       const double at_middle = field_.at(middle);
-      all.push_back({middle, at_middle, s.end, s.at_end, 0.5 * s.length, 0.5 * s.climb});
-      all.push_back({s.begin, s.at_begin, middle, at_middle, 0.5 * s.length, 0.5 * s.climb});
+      all.push_back({middle, at_middle, s.end, s.at_end, 0.5 * s.length, 0.5 * s.climb, false});
+      all.push_back({s.begin, s.at_begin, middle, at_middle, 0.5 * s.length, 0.5 * s.climb, false});
     }
   }
   return std::nullopt;

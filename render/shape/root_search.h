@@ -42,11 +42,12 @@ class RootSearch {
     double at_end;
     double length;  ///< halved from one to the next, not the difference of the ends
     double climb;   ///< how much the field may change along it, at most
-    bool is_found = false;
+    bool is_found;  ///< it is an answer
   };
 
   static std::vector<Stretch>& waiting();  ///< the nearest is the last
-  void add(Stretch stretch, double high);
+  void add(double begin, double at_begin, double end, double at_end, double length, double climb, double high);
+  void halve(const Stretch& whole, double middle, double at_middle, double high);
   void halve_some(double high);
   std::optional<double> learning(const Stretch& whole);
 

@@ -12,6 +12,7 @@ namespace {
 // Limits below which POV-Ray takes numbers for 0 here: a leading coefficient or a discriminant, and a slope.
 constexpr double kSmall = 1e-10;
 constexpr double kRightAngle = 1e-4;
+constexpr double kAcross = 1e-4;  ///< a ray's slope along a curve that counts as none, over the curve's speed
 
 /// The product of two polynomials, c[k] x^k.
 template <std::size_t N, std::size_t M>
@@ -82,6 +83,13 @@ std::size_t quadratic_roots(double a, double b, double c, std::span<double> root
   return count;
 }
 
+/// In [0, 1].
+std::size_t unit_roots(std::span<const double> c, std::span<double> roots) {
+  std::size_t count = 0;
+  for (PolynomialRoots search(c, 0.0, 1.0); count < roots.size() && search.next(roots[count]);) ++count;
+  return count;
+}
+
 /// The powers of u in product(ball(u) - at, ball(u) - at): the square of the distance to the ball's surface, as it were.
 std::array<double, 7> distance(const SweepSegment& segment, const Vec3& at) {
   std::array<SweepBall, 4> c = segment.coefficients;
@@ -129,13 +137,16 @@ std::size_t SweepSegment::touching(const Ray& ray, std::array<double, kMostRoots
   }
   const std::array<double, 6> d1 = derivative(d);
   std::array<double, 3> b1 = derivative(b);
+  // Across the curve B' is 0 all along it, and the equation the square of D' = 0, which only touches 0. Near that, pairs of
+  // roots lie by about B' beside those of D', where the distance is least: it is another by the square of B' only.
+  const double largest = std::max({std::abs(b1[0]), std::abs(b1[1]), std::abs(b1[2])});
+  double speed = 0.0;
+  for (std::size_t i = 1; i <= order; ++i) speed = std::max(speed, coefficients[i].center.length());
+  if (largest <= kAcross * speed) return unit_roots(d1, u);
   const std::array<double, 5> b1b1 = b1 * b1;
   for (double& c : b1) c = -c;
   const std::array<double, 11> equation = d1 * d1 + (b * b1) * d1 + b1b1 * d;
-  if (has_no_root(equation)) return 0;
-  std::size_t count = 0;
-  for (PolynomialRoots roots(equation, 0.0, 1.0); count < u.size() && roots.next(u[count]);) ++count;
-  return count;
+  return has_no_root(equation) ? 0 : unit_roots(equation, u);
 }
 
 bool SweepSegment::straight_depth(const Ray& ray, double u, double& depth) const {

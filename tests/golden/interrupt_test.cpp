@@ -40,6 +40,10 @@ constexpr EndlessScene kScenes[] = {
     {"clips",
      "union { #for (I, 1, 20000) sphere { <0, 0, I*1e-7>, 1 } #end pigment { rgb 1 }\n"
      "  clipped_by { intersection { #for (I, 1, 20000) sphere { <0, 0, I*1e-7>, 1 } #end } } }"},
+    {"isosurface", "isosurface { function { 0 } accuracy 1e-12 pigment { rgb 1 } }"},
+    {"julia_fractal", "julia_fractal { 0.1 max_iteration 100000 precision 1e9 pigment { rgb 1 } }"},
+    {"parametric",
+     "parametric { function { u } function { v } function { u*v } <-1, -1>, <1, 1> max_gradient 1e6 accuracy 1e-9 }"},
     {"glass_in_the_light",
      "#for (I, 1, 30000) sphere { <0, 0, I*1e-7>, 1 pigment { rgbt 0.9999 } } #end\n"
      "plane { z, 2 pigment { rgb 1 } }"},

@@ -139,6 +139,24 @@ TEST(SphereSweep, OfManyPiecesIsMetOnItsSurface) {
   check_sweep(sweep, 31);
 }
 
+TEST(SphereSweep, InAPlaneIsMetByRaysAcrossIt) {
+  for (const Spline spline : {Spline::linear, Spline::cubic, Spline::b_spline}) {
+    for (const double slope : {0.0, 1e-12, 1e-8, 1e-5, 1e-3}) {
+      SphereSweepParameters sweep = random_sweep(spline, 6, 41);
+      for (Ball& ball : sweep.balls) ball.center.z = 0.0;
+      const ShapePtr shape = make_sphere_sweep(sweep);
+      RayRain rain(42);
+      for (int i = 0; i < 200; ++i) {
+        Vec3 target = rain.point(1.3);
+        target.z = 0.0;
+        if (distance(sweep, target) > -0.01) continue;
+        const Vec3 direction = Vec3(slope, 2.0 * slope, 1.0).normalized();
+        ASSERT_FALSE(depths(shape, {target - direction * 5.0, direction}).empty()) << slope;
+      }
+    }
+  }
+}
+
 TEST(SphereSweep, HasPovRaysBox) {
   SphereSweepParameters sweep;
   sweep.spline = Spline::cubic;
