@@ -1,7 +1,7 @@
 // Pavements of triangles, squares and hexagons that are joined to tiles, with sharp, blunt and round corners of all kinds.
 #version 3.7;
 global_settings { assumed_gamma 1 }
-camera { location <0, 0, -100> look_at 0 right x*4/3 angle 8 }
+camera { location <0, 0, -100> look_at 0 right x*4/3 angle 9.4 }
 light_source { <-50, 80, -100> rgb 1 }
 #default { finish { ambient 1 diffuse 0 } }
 #declare Map = color_map { [0 rgb <0.9, 0.7, 0.4>] [0.8 rgb <0.5, 0.15, 0.05>] [0.95 rgb <0.3, 0.1, 0.1>] [1 rgb 0.9] }
