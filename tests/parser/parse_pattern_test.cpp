@@ -255,7 +255,6 @@ TEST(ParsePattern, PigmentPatternHoldsThePigment) {
   const auto& inner = parameters<render::PigmentParameters>(pigment.pattern).pigment;
   ASSERT_TRUE(inner);
   EXPECT_EQ(inner->pattern->kind, PatternKind::granite);
-  EXPECT_EQ(unrendered("sphere { 0, 1 pigment { pigment_pattern { pavement } } }"), "pavement ");
 }
 
 TEST(ParsePattern, FunctionPatternHoldsTheFunction) {
