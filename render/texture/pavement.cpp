@@ -26,6 +26,12 @@ const PavementWalls& walls_of(const PavementParameters& parameters) {
   return *(first + (parameters.pattern - 1));
 }
 
+/// Of a row or column of cells, which may be any whole number, within a period of all pavements.
+int number_of(double whole) {
+  constexpr double kPeriod = 3600.0;
+  return std::isfinite(whole) ? static_cast<int>(std::fmod(whole, kPeriod)) : 0;
+}
+
 int digit(char c) { return c <= '9' ? c - '0' : c - 'A' + 10; }
 
 struct Place {
@@ -105,9 +111,7 @@ void Pavement::look_around_triangle(int i, int j) {
 double Pavement::in_square(double x, double z) const {
   const double column = std::floor(x);
   const double row = std::floor(z);
-  constexpr double kPeriod = 3600.0;  // of all pavements
-  const Cell& here = cell(static_cast<int>(column - kPeriod * std::floor(column / kPeriod)),
-                          static_cast<int>(row - kPeriod * std::floor(row / kPeriod)));
+  const Cell& here = cell(number_of(column), number_of(row));
   x -= column;
   z -= row;
   const std::array<double, 4> depth{1.0 - z, 1.0 - x, z, x};  // from the sides
@@ -149,9 +153,8 @@ double Pavement::in_triangle(double x, double z) const {
   const double shifted = x - 0.5 * row;
   const double column = std::floor(shifted - z / kRoot3);
   x = shifted - column;
-  constexpr double kPeriod = 3600.0;  // of all pavements
-  int i = 2 * static_cast<int>(column - kPeriod * std::floor(column / kPeriod));
-  const int j = static_cast<int>(row - kPeriod * std::floor(row / kPeriod));
+  int i = 2 * number_of(column);
+  const int j = number_of(row);
   if (kRoot3 * (1.0 - x) < z) {
     ++i;
     x = 1.5 - x;
