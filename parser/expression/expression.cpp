@@ -3,6 +3,7 @@
 #include "parser/expression/call.h"
 #include "parser/expression/evaluator.h"
 #include "parser/expression/string_expression.h"
+#include "parser/expression/words.h"
 
 #include <limits>
 

@@ -31,15 +31,11 @@ double parse_condition(Evaluator& in);
 std::pair<double, double> parse_two_numbers(Evaluator& in);
 render::FilteredColor parse_color(Evaluator& in);
 
-/// What a reserved word begins in an expression.
-enum class WordKind : std::uint8_t { other, number, vector, color, string };
-WordKind word_kind(Keyword word);
 /// Whether an expression, a colour among them, can begin here; or one that can only give a single number.
 bool at_expression(Evaluator& in);
 bool at_float(Evaluator& in);
 
-/// Value of the function or constant `word`, which has been taken. Pre: word_kind() is number or vector.
-/// [functions.cpp] Leaves a single number (size 1) or a vector (size 3, or 2 and 4 for u, v and t).
+/// The value of a word that begins a number or vector, `word`, which has been taken. [functions.cpp]
 Numbers parse_function(Evaluator& in, const Token& word);
 
 // Operations that may find a mistake, whoever has read their operands.

@@ -46,7 +46,7 @@ class Formula {
     promote,
     check_float,
     check_vector,
-    call_number,  ///< the calls: by CallForm
+    call_number,  ///< the calls: by what the word is, see Word
     call_two,
     fold,
     fold_end,

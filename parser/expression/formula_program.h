@@ -10,6 +10,7 @@
 namespace firstlight::parser {
 
 class Evaluator;
+struct Word;
 
 /// A formula for names that stand for values of known sizes. Then the sizes of all operands are known, so they lie side
 /// by side on a stack of plain numbers, and a vector written in the text is there as soon as its components are.
@@ -42,7 +43,6 @@ class FormulaProgram {
     negate,
     invert,
     component,
-    rand,
     call_number,
     call_two,
     fold,
@@ -56,6 +56,7 @@ class FormulaProgram {
     std::uint8_t index = 0;
     Formula::Operation of_two = Formula::Operation::add;  ///< what `combine` does
     const Token* token = nullptr;
+    const Word* word = nullptr;  ///< the token's
     double number = 0.0;
   };
 

@@ -1,27 +1,22 @@
 #include "parser/expression/object_functions.h"
 
+#include "parser/expression/arithmetic.h"
 #include "parser/expression/evaluator.h"
 #include "parser/expression/expression.h"
 #include "render/scene/extent.h"
 
-#include <algorithm>
 #include <memory>
 #include <optional>
 #include <string>
 
 namespace firstlight::parser {
 
-using render::Feature;
 using render::Object;
 using render::Vec3;
 
 namespace {
 
 using ObjectPtr = std::shared_ptr<const Object>;
-
-/// Where an object is taken to be that is only described. Pictures of such scenes are refused; an answer that is not
-/// empty lets the scene be read to its end.
-const render::Box3 kMadeUpBox{Vec3(0.0), Vec3(1.0)};
 
 void comma(Evaluator& in) {
   if (in.peek().is(Punctuation::comma)) in.take();
@@ -38,61 +33,40 @@ ObjectPtr take_object(Evaluator& in, const Token& word) {
   return object;
 }
 
-Numbers numbers_of(const Vec3& v) {
-  Numbers numbers;
-  numbers.values = {v.x, v.y, v.z, 0.0, 0.0};
-  numbers.size = 3;
-  return numbers;
-}
-
 }  // namespace
 
-Vec3 parse_trace(Evaluator& in, const Token& word) {
+Numbers parse_trace(Evaluator& in, const Token& word) {
   const ObjectPtr object = take_object(in, word);
   comma(in);
   const Vec3 origin = parse_vector(in);
   comma(in);
   const Vec3 direction = parse_vector(in);
   comma(in);
-  const render::ObjectProbe& probe = in.probe(object);
-  std::optional<render::ObjectProbe::Hit> hit;
-  if (probe.is_complete()) {
-    hit = probe.trace(origin, direction);
-  } else {
-    in.note_unrendered(Feature::trace, word.location);
-    hit = render::ObjectProbe::Hit{origin + direction, -direction};
-  }
+  const std::optional<render::ObjectProbe::Hit> hit = in.probe(object).trace(origin, direction);
   const Value* normal = in.peek_value();
   if (normal != nullptr && std::holds_alternative<Numbers>(*normal)) {
     const Scopes::Binding variable = in.take_binding();
     *variable.slot = numbers_of(hit ? hit->normal : Vec3(0.0));
   }
   in.expect(Punctuation::right_paren, "to close", word.text);
-  return hit ? hit->point : Vec3(0.0);
+  return numbers_of(hit ? hit->point : Vec3(0.0));
 }
 
-bool parse_inside(Evaluator& in, const Token& word) {
+Numbers parse_inside(Evaluator& in, const Token& word) {
   const Token& name = in.peek();
   const ObjectPtr object = take_object(in, word);
   if (object->patch) in.fail(name.location, "'inside' needs an object that has an inside");
   comma(in);
   const Vec3 point = parse_vector(in);
   in.expect(Punctuation::right_paren, "to close", word.text);
-  const render::ObjectProbe& probe = in.probe(object);
-  if (probe.is_complete()) return probe.inside(point);
-  in.note_unrendered(Feature::inside, word.location);
-  return kMadeUpBox.intersects(point);
+  return single(in.probe(object).inside(point) ? 1.0 : 0.0, 1);
 }
 
-Vec3 parse_extent(Evaluator& in, const Token& word) {
+Numbers parse_extent(Evaluator& in, const Token& word) {
   const ObjectPtr object = take_object(in, word);
   in.expect(Punctuation::right_paren, "to close", word.text);
-  if (!render::is_made(*object)) {
-    in.note_unrendered(Feature::extent, word.location);
-    return word.is(Keyword::min_extent) ? kMadeUpBox.min : kMadeUpBox.max;
-  }
   const render::Box3 box = render::extent(*object).box();
-  return word.is(Keyword::min_extent) ? box.min : box.max;
+  return numbers_of(word.is(Keyword::min_extent) ? box.min : box.max);
 }
 
 }  // namespace firstlight::parser

@@ -109,6 +109,9 @@ class Stepper {
   /// the others' shares are what they were. Returns the bits of those feelers.
   std::uint64_t ask_areas(std::span<const RayTask> tasks);
 
+  /// The same of those whose bit is set in `open`, which meet nothing opaque.
+  void ask_passing(std::span<const RayTask> tasks, std::uint64_t open);
+
   /// Adds the hit of a ray of rays_ to block_ and surfaces_, unless it takes the light and gives none.
   void meet(std::size_t ray, const RayTask& task, const Rgb& weight, Contribution& sum);
   /// One texture of a hit, and its share of how the hit looks.
@@ -194,7 +197,7 @@ class Stepper {
   std::vector<LayerLook> looks_;
   std::unique_ptr<HitBlock> block_;
   std::unique_ptr<FeelerBlock> feelers_;
-  std::array<Rgb, kRaysAtOnce> shares_;  ///< of the block's feelers to area lights
+  std::array<Rgb, kRaysAtOnce> shares_;  ///< of the block's feelers, where they are asked for
   std::vector<Contribution> light_;
   std::vector<RayTask> spawned_;
   std::unique_ptr<Stepper> sealed_;  ///< made when first needed

@@ -1,10 +1,9 @@
 #pragma once
 
-#include "render/math/vec.h"
+#include "render/shape/shape.h"
 
-#include <array>
+#include <complex>
 #include <cstdint>
-#include <utility>
 
 namespace firstlight::render {
 
@@ -30,18 +29,22 @@ enum class JuliaFunction : std::uint8_t {
   power,
 };
 
-/// A slice of a Julia set. [POV-Ray 3.7 manual, "Julia Fractal"]
-struct JuliaFractalForm {
+/// A slice of a Julia set: the points (x, y, z, w) of it on a hyperplane, seen at (x, y, z). [POV-Ray 3.7 manual, "Julia
+/// Fractal"]
+struct JuliaFractalParameters {
   enum class Algebra : std::uint8_t { quaternion, hypercomplex };
+  static constexpr int kMostIterations = 100'000;
 
   Vec4 parameter{1.0, 0.0, 0.0, 0.0};
-  Algebra algebra = Algebra::quaternion;
+  Algebra algebra = Algebra::quaternion;  ///< of quaternions there are only the square and the cube
   JuliaFunction function = JuliaFunction::square;
-  std::pair<double, double> exponent{0.0, 0.0};  ///< of JuliaFunction::power: a complex number
-  int most_iterations = 20;
-  double precision = 20.0;                ///< at least 1
+  std::complex<double> exponent;  ///< of JuliaFunction::power
+  int most_iterations = 20;       ///< from 1 to kMostIterations
+  double precision = 20.0;        ///< at least 1: steps of a ray in a unit
   Vec4 slice_normal{0.0, 0.0, 0.0, 1.0};  ///< unit length; its last component is not 0
   double slice_distance = 0.0;
 };
+
+ShapePtr make_julia_fractal(const JuliaFractalParameters& parameters);
 
 }  // namespace firstlight::render
