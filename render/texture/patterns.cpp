@@ -16,7 +16,6 @@ constexpr Maker kMakers[] = {
 
 }  // namespace
 
-PatternPtr pattern::unmade(const PatternRequest&) { return nullptr; }
 PatternPtr pattern::composed(const PatternRequest&) { return nullptr; }
 
 PatternPtr make_pattern(PatternKind kind, const PatternRequest& request) {

@@ -39,7 +39,7 @@ namespace pattern {
 #undef PATTERN
 }  // namespace pattern
 
-/// The evaluator of a pattern; null for those that cannot be rendered, and for those that are no scalar fields.
+/// The evaluator of a pattern; null for those that are no scalar fields.
 PatternPtr make_pattern(PatternKind kind, const PatternRequest& request);
 
 /// Whether the word `turbulence` moves the points at which the pattern is asked; a few put it to a use of their own.

@@ -47,6 +47,13 @@ Place folded_by_fifths(Place place) {
   return place;
 }
 
+/// Where there is nothing to be cut: in the middle, and where no number is.
+bool is_nowhere(double x, double z) {
+  constexpr double kNothing = 1e-10;
+  const double radius = std::sqrt(x * x + z * z);
+  return !(radius > kNothing && std::isfinite(radius));
+}
+
 /// How often a figure that reaches to `size` has to be cut, if each cut makes parts smaller by 1 / `factor`.
 int cuts_for(double size, double factor) {
   return std::max(0, static_cast<int>(std::ceil(std::log(size) / std::log(factor))));
@@ -93,10 +100,8 @@ double in_triangles(Place place, bool kite, int depth, bool rhombi) {
 }
 
 double kites_or_rhombi(double x, double z, bool rhombi) {
-  constexpr double kNothing = 1e-10;
-  Place place{x, z};
-  if (std::sqrt(x * x + z * z) <= kNothing) return 1.0;
-  place = folded_by_fifths(place);
+  if (is_nowhere(x, z)) return 1.0;
+  Place place = folded_by_fifths({x, z});
   if (rhombi) place = place * (1.0 / kPhi);
   const int pairs = cuts_for(place.from_line(0.0, -kCos72, kSin72) / kCos18, kPhi2);
   place = place * std::pow(1.0 / kPhi2, pairs);
@@ -194,9 +199,8 @@ double penrose_kites(double x, double z) { return kites_or_rhombi(x, z, false); 
 double penrose_rhombi(double x, double z) { return kites_or_rhombi(x, z, true); }
 
 double penrose_pentagons(double x, double z) {
-  constexpr double kNothing = 1e-10;
   constexpr double kKinds = 6.0;
-  if (std::sqrt(x * x + z * z) <= kNothing) return 1.0;
+  if (is_nowhere(x, z)) return 1.0;
   const Place place = folded_by_fifths({x, z});
   const int fours = cuts_for(place.x * 2.0 * kTan36, kPhi2 * kPhi2);
   Whereabouts at{place * std::pow(1.0 / (kPhi2 * kPhi2), fours), Tile::pentagon1, false};

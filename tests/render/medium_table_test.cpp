@@ -37,5 +37,24 @@ TEST(MediumTable, LeavingAnOuterOneKeepsTheRestInOrder) {
   EXPECT_TRUE(media.contains(two, 2));
 }
 
+TEST(MediumTable, LightKeepsItsBandThroughMatter) {
+  MediumTable media;
+  const SpectralBand violet{0, 7};
+  const SpectralBand red{6, 7};
+  const std::uint32_t inside = media.entered(media.entered(MediumTable::kOutside, 3), 5);
+  EXPECT_TRUE(media.band(inside).is_white());
+  const std::uint32_t split = media.in_band(inside, red);
+  EXPECT_NE(split, media.in_band(inside, violet));
+  EXPECT_EQ(split, media.in_band(inside, red));
+  EXPECT_EQ(media.innermost(split), 5u);
+  EXPECT_TRUE(media.contains(split, 3));
+  EXPECT_FALSE(media.contains(split, 4));
+  EXPECT_EQ(media.depth(split), 2u);
+  const std::uint32_t outside = media.left(media.left(split, 3), 5);
+  EXPECT_TRUE(media.is_outside(outside));
+  EXPECT_NE(outside, MediumTable::kOutside);
+  EXPECT_EQ(media.band(media.entered(outside, 3)).number, 6);
+}
+
 }  // namespace
 }  // namespace firstlight::render
