@@ -140,14 +140,18 @@ bool PolynomialRoots::next(double& root) {
 }
 
 double root_bound(std::span<const double> c) {
-  const auto exponent = [](double x) { return static_cast<double>((std::bit_cast<std::uint64_t>(x) >> 52) & 0x7ff); };
+  // The bits of a positive number, as an integer, are its logarithm to base 2, off by less than 0.0861 and never above.
+  constexpr double kOne = 0x1p52;
+  constexpr double kOff = 0.0861 * kOne;
+  const auto logarithm = [](double x) { return static_cast<double>(std::bit_cast<std::int64_t>(std::abs(x))); };
   const std::size_t order = c.size() - 1;
-  const double last = exponent(c[order]);
-  double largest = -1000.0;
+  const double last = logarithm(c[order]) - kOff;
+  double largest = -1000.0 * kOne;
   for (std::size_t k = 1; k <= order; ++k) {
-    largest = std::max(largest, (exponent(c[order - k]) + 1.0 - last) / static_cast<double>(k));
+    largest = std::max(largest, (logarithm(c[order - k]) - last) / static_cast<double>(k));
   }
-  return std::ldexp(1.0, static_cast<int>(std::ceil(largest)) + 1);
+  largest = std::min(largest, 1000.0 * kOne);
+  return 2.0 * std::bit_cast<double>(static_cast<std::int64_t>(largest) + std::bit_cast<std::int64_t>(1.0));
 }
 
 }  // namespace firstlight::render

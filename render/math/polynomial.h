@@ -42,7 +42,7 @@ class PolynomialRoots {
   std::array<Interval, kMostHalvings + 1> waiting_;  ///< the first one last
 };
 
-/// No root is farther from 0. [Fujiwara, 1916; rounded up to a power of 2]
+/// No root is farther from 0. [Fujiwara, 1916; up to 1.2 times that]
 /// Pre: the last coefficient is not 0.
 double root_bound(std::span<const double> c);
 
