@@ -31,6 +31,8 @@ plant(priority/texture.cpp "  #  include <render/texture/pigment.h>\n" "priority
 plant(priority/text.cpp "#include \"parser/text/lexer.h\"\n" "priority must not include 'parser/text/lexer.h'")
 plant(parser/directive/up.cpp "#include \"parser/statement/statements.h\"\n"
   "parser/directive must not include 'parser/statement/statements.h'")
+plant(parser/expression/up.cpp "#include \"parser/directive/interpreter.h\"\n"
+  "parser/expression must not include 'parser/directive/interpreter.h'")
 plant(app/inside.cpp "#include \"parser/text/lexer.h\"\n" "app must not include 'parser/text/lexer.h'")
 plant(render/trace/up.cpp "#include \"priority/driver.h\"\n" "render/trace must not include 'priority/driver.h'")
 plant(render/math/up.h "#include \"render/shape/sphere.h\"\n" "render/math must not include")

@@ -5,6 +5,7 @@
 #include "parser/expression/call.h"
 #include "parser/expression/expression.h"
 #include "parser/expression/string_expression.h"
+#include "parser/expression/words.h"
 
 #include <utility>
 

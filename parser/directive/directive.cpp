@@ -43,7 +43,7 @@ Value make_number(double value) {
 }  // namespace
 
 Interpreter::Interpreter(const render::LoadOptions& options, render::Diagnostics& diagnostics, SceneContext& context)
-    : TokenStream(options, diagnostics), context_(context) {
+    : Evaluator(options, diagnostics, context.builder), context_(context) {
   const auto declare = [this](std::string_view name, Value value) {
     *scopes_.target(symbols_.intern(name), false) = std::move(value);
   };
@@ -113,7 +113,11 @@ void Interpreter::open_scene(const std::string& path) {
 const TokenFile& Interpreter::tokens_of(const SourceFile& file) {
   if (file.index >= token_files_.size()) token_files_.resize(file.index + 1);
   std::unique_ptr<TokenFile>& slot = token_files_[file.index];
-  if (!slot) slot = std::make_unique<TokenFile>(tokenize(file, symbols_));
+  if (!slot) {
+    slot = std::make_unique<TokenFile>(tokenize(file, symbols_));
+    slot->first = tokens_cut_;
+    tokens_cut_ += slot->tokens.size();
+  }
   return *slot;
 }
 
@@ -288,10 +292,6 @@ const SourceFiles::Result& Interpreter::found_file(const SourceFiles::Result& re
   return result;
 }
 
-bool Interpreter::file_exists(const std::string& name) const {
-  return files_.find_file(name, {}, *frames_.back().file->source).status == SourceFiles::Status::found;
-}
-
 std::string Interpreter::find_file(const std::string& name, const std::vector<std::string>& extensions,
                                    const Location& at) {
   return found_file(files_.find_file(name, extensions, *frames_.back().file->source), name, at).path;
@@ -303,24 +303,6 @@ const Token& Interpreter::take_identifier(const Token& word, Scopes::Reach reach
   if (name.kind == TokenKind::identifier) return name;
   const std::string found = name.kind == TokenKind::keyword ? "the reserved word " + describe(name) : describe(name);
   fail(name.location, "expected an identifier after '#" + std::string(word.text) + "', found " + found);
-}
-
-bool Interpreter::parse_defined() {
-  expect(Punctuation::left_paren, "before the name");
-  unsettle();
-  const Scopes::Reach reach = take_reach();
-  const Token& name = take_prefixed(reach);
-  if (name.kind != TokenKind::identifier && name.kind != TokenKind::keyword) {
-    fail(name.location, "expected an identifier, found " + describe(name));
-  }
-  const Scopes::Binding* binding = name.kind == TokenKind::identifier ? scopes_.find(name.symbol, reach) : nullptr;
-  bool result = binding != nullptr;
-  if (result && picks_part(*binding->slot, raw_next())) {
-    const Scopes::Slot slot = binding->slot;
-    result = !std::holds_alternative<std::monostate>(*pick_part(slot, name, Pick::test));
-  }
-  expect(Punctuation::right_paren, "behind the name");
-  return result;
 }
 
 void Interpreter::finish() {

@@ -3,6 +3,7 @@
 #include "parser/directive/interpreter.h"
 #include "parser/expression/expression.h"
 #include "parser/expression/string_expression.h"
+#include "parser/expression/words.h"
 
 #include <fmt/format.h>
 

@@ -1,10 +1,7 @@
 #pragma once
 
-#include "parser/directive/language_state.h"
 #include "parser/directive/scene_context.h"
-#include "parser/expression/random_streams.h"
-#include "parser/text/token_stream.h"
-#include "render/scene/object_probe.h"
+#include "parser/expression/evaluator.h"
 
 #include <chrono>
 #include <cstdint>
@@ -27,12 +24,11 @@ class DataReader;
 /// Errors   Throws SyntaxError.
 /// Limits   Steps, that is turns of loops and calls of macros, are bounded by kMostSteps: an endless loop ends with a
 /// message.
-class Interpreter final : public TokenStream {
+class Interpreter final : public Evaluator {
  public:
   static constexpr std::size_t kDeepestInclude = 64;
   static constexpr std::size_t kMostElements = 1u << 24;  // in one array
   static constexpr std::size_t kDeepestArray = 20;        // of arrays in arrays
-  static constexpr std::size_t kLongestString = 1u << 20;
   static constexpr std::uint64_t kMostSteps = 100'000'000;
   static constexpr std::size_t kMostMistakes = 20;         // told of in one run
   static constexpr std::size_t kMostFailures = 500;        // with those that follow from others
@@ -51,38 +47,13 @@ class Interpreter final : public TokenStream {
   bool has_failed() const { return failures_ > 0; }
 
   // --- what expressions and statements ask for ----------------------------------------------------------------------
-  LanguageState& language() { return language_; }
-  int language_version() const { return language_.version(); }
-  int effective_language_version() const { return language_.effective_version(); }
   /// `assumed_gamma`; false when an earlier one holds.
   bool set_assumed_gamma(render::WorkingGamma gamma, double exponent = 1.0) {
     return language_.set_assumed_gamma(gamma, exponent);
   }
-  /// Takes the expression of what next_formula() has given, and the marks around it, and evaluates it. False when the
-  /// formula does not hold now: then nothing is taken. `terms`: as for parse_sum().
-  bool evaluate(const Formula& formula, std::uint8_t terms, Numbers& result, Punctuation closing = Punctuation::none) {
-    Formula::Values values;
-    if (!accept_formula(formula, closing, values)) return false;
-    formula.evaluate(*this, values, terms, result);
-    return true;
-  }
-  RandomStreams& random() { return random_; }
-  const render::LoadOptions& options() const { return options_; }
-  /// Of a function, at parse time; `name` is where it is called.
-  Numbers evaluate(const render::Function& function, const double* arguments, const Token& name);
-  /// The geometry of a declared object, kept for the next question about it.
-  const render::ObjectProbe& probe(const std::shared_ptr<const render::Object>& object);
-  /// An answer at `at` could not be given, so the picture would be wrong.
-  void note_unrendered(render::Feature feature, const Location& at);
-  /// Whether the scene has asked about shapes that are only described, so that its numbers may not be what they will
-  /// be.
-  bool has_guessed() const;
-  bool file_exists(const std::string& name) const;
   /// The path of the file that the scene calls `name`, such as an image or a font; `extensions`, with their dots, may
   /// be left out in the name. Fails at `at` when there is none, or none that may be read.
   std::string find_file(const std::string& name, const std::vector<std::string>& extensions, const Location& at);
-  /// `(name)` behind `defined` or `#ifdef`: whether it is declared; of an array's element, whether it has a value.
-  bool parse_defined();
   /// An old directive without `#`: `declare`, `include`, `version`.
   void run_bare_directive();
 
@@ -216,9 +187,8 @@ class Interpreter final : public TokenStream {
   void charge(const Value& value, const Location& at);
 
   SceneContext& context_;
-  LanguageState language_;
-  RandomStreams random_;
   std::vector<std::unique_ptr<TokenFile>> token_files_;  // by SourceFile::index
+  std::size_t tokens_cut_ = 0;                           // in all of them
   std::vector<Condition> conditions_;
   Part picked_;                          // by the last pick_part()
   std::vector<Scopes::Slot> arguments_;  // of the macros whose arguments are being read
@@ -236,7 +206,6 @@ class Interpreter final : public TokenStream {
   // For ParseProgress.
   using Clock = std::chrono::steady_clock;
   Clock::time_point began_ = Clock::now(), last_told_ = began_;
-  std::vector<std::pair<std::shared_ptr<const render::Object>, render::ObjectProbe>> probes_;  // the latest last
 };
 
 }  // namespace firstlight::parser

@@ -1,6 +1,13 @@
 #include "parser/expression/arithmetic.h"
 
+#include <climits>
+
 namespace firstlight::parser {
+
+int to_int(double value) {
+  const double whole = std::trunc(value);
+  return whole >= INT_MIN && whole <= INT_MAX ? static_cast<int>(whole) : INT_MIN;
+}
 
 std::size_t picked_component(Keyword word) {
   switch (word) {

@@ -4,6 +4,7 @@
 
 #include "parser/text/token.h"
 #include "parser/text/value.h"
+#include "render/math/vec.h"
 
 #include <cmath>
 #include <cstddef>
@@ -23,6 +24,12 @@ inline void promote(Numbers& numbers, std::uint8_t terms) {
   for (std::size_t i = numbers.size; i < terms; ++i) numbers.values[i] = fill;
   numbers.size = terms;
 }
+
+/// A vector of three.
+inline Numbers numbers_of(const render::Vec3& vector) { return {{vector.x, vector.y, vector.z, 0.0, 0.0}, 3, false}; }
+
+/// POV-Ray cuts numbers to 32-bit integers; what does not fit becomes the lowest one, as its processors do it.
+int to_int(double value);
 
 inline Numbers single(double value, std::uint8_t terms) {
   Numbers result;

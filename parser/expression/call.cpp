@@ -1,7 +1,7 @@
 // Calls of functions and splines in expressions.
 #include "parser/expression/call.h"
 
-#include "parser/directive/interpreter.h"
+#include "parser/expression/evaluator.h"
 #include "parser/expression/expression.h"
 
 #include <array>
@@ -11,7 +11,7 @@ namespace firstlight::parser {
 
 namespace {
 
-Numbers call_spline(Interpreter& in, const Token& name, const render::Spline& spline) {
+Numbers call_spline(Evaluator& in, const Token& name, const render::Spline& spline) {
   in.expect(Punctuation::left_paren, "after", name.text);
   const double at = parse_float(in);
   std::optional<render::SplineKind> kind;
@@ -29,7 +29,7 @@ Numbers call_spline(Interpreter& in, const Token& name, const render::Spline& sp
   return result;
 }
 
-Numbers call_function(Interpreter& in, const Token& name, const render::Function& function) {
+Numbers call_function(Evaluator& in, const Token& name, const render::Function& function) {
   in.expect(Punctuation::left_paren, "after", name.text);
   std::array<double, render::Function::kMostParameters> arguments{};
   for (std::size_t i = 0; i < function.parameter_count(); ++i) {
@@ -61,32 +61,18 @@ std::optional<render::SplineKind> spline_kind(const Token& token) {
   }
 }
 
-bool at_call(Interpreter& in) {
+bool at_call(Evaluator& in) {
   const Value* value = in.peek_value();
   return value != nullptr && (std::holds_alternative<render::FunctionPtr>(*value) ||
                               std::holds_alternative<std::shared_ptr<const render::Spline>>(*value));
 }
 
-Numbers parse_call(Interpreter& in) {
+Numbers parse_call(Evaluator& in) {
   const Token& name = in.peek();
   const Value callee = *in.peek_value();
   in.take();
   if (const auto* function = std::get_if<render::FunctionPtr>(&callee)) return call_function(in, name, **function);
   return call_spline(in, name, *std::get<std::shared_ptr<const render::Spline>>(callee));
-}
-
-Numbers Interpreter::evaluate(const render::Function& function, const double* arguments, const Token& name) {
-  render::Evaluation evaluation;
-  evaluation.noise_generator = language_.noise_generator();
-  Numbers result;
-  result.size = static_cast<std::uint8_t>(function.result_count());
-  function.evaluate(arguments, result.values.data(), evaluation);
-  if (evaluation.steps_left == 0) {
-    fail(name.location, "the loops in the function '" + std::string(name.text) + "' take too long");
-  }
-  // A value that cannot be known may have changed anything that follows.
-  context_.builder.settings().unrendered.add(function.unrendered());
-  return result;
 }
 
 }  // namespace firstlight::parser

@@ -1,4 +1,4 @@
-#include "parser/directive/interpreter.h"
+#include "parser/expression/evaluator.h"
 #include "parser/expression/expression.h"
 
 #include <array>
@@ -64,7 +64,7 @@ std::size_t component_of(Keyword word) {
 }
 
 // `rgbft <...>` and its like, the word taken.
-Components parse_whole(Interpreter& in, const Token& word, const ColorWord& form) {
+Components parse_whole(Evaluator& in, const Token& word, const ColorWord& form) {
   if (form.srgb && !in.language().gamma_stated()) {
     in.fail(word.location, "'" + std::string(word.text) + "' needs an 'assumed_gamma' in 'global_settings' before it");
   }
@@ -88,7 +88,7 @@ Components parse_whole(Interpreter& in, const Token& word, const ColorWord& form
 }  // namespace
 
 // One whole colour (a word with a vector, or an expression), and before or behind it single components in any order.
-render::FilteredColor parse_color(Interpreter& in) {
+render::FilteredColor parse_color(Evaluator& in) {
   Components color{};
   bool whole = false;
   if (in.peek().is(Keyword::color)) in.take();

@@ -1,8 +1,9 @@
 #include "parser/expression/expression.h"
 
-#include "parser/directive/interpreter.h"
 #include "parser/expression/call.h"
+#include "parser/expression/evaluator.h"
 #include "parser/expression/string_expression.h"
+#include "parser/expression/words.h"
 
 #include <limits>
 
@@ -12,10 +13,10 @@ namespace firstlight::parser {
 
 namespace {
 
-Numbers parse_operand(Interpreter& in, std::uint8_t terms);
+Numbers parse_operand(Evaluator& in, std::uint8_t terms);
 
 // `<a, b>` to `<a, b, c, d, e>`, the `<` taken.
-Numbers parse_vector_literal(Interpreter& in) {
+Numbers parse_vector_literal(Evaluator& in) {
   Numbers result;
   result.size = 0;
   while (result.size < 2 || (result.size < 5 && at_expression(in))) {
@@ -27,7 +28,7 @@ Numbers parse_vector_literal(Interpreter& in) {
 }
 
 // `.x`, `.red` ... behind an operand.
-void take_component(Interpreter& in, Numbers& numbers) {
+void take_component(Evaluator& in, Numbers& numbers) {
   in.take();
   const Token& word = in.peek();
   if (picked_component(word.keyword) == kNoComponent) {
@@ -37,8 +38,8 @@ void take_component(Interpreter& in, Numbers& numbers) {
   numbers = single(pick_component(in, word, numbers), 1);
 }
 
-Numbers parse_operand_alone(Interpreter& in, std::uint8_t terms) {
-  const Interpreter::Nesting nesting(in);
+Numbers parse_operand_alone(Evaluator& in, std::uint8_t terms) {
+  const Evaluator::Nesting nesting(in);
   while (in.peek().is(Punctuation::plus)) in.take();
   const Token& token = in.peek();
   switch (token.kind) {
@@ -96,12 +97,12 @@ Numbers parse_operand_alone(Interpreter& in, std::uint8_t terms) {
 }
 
 // What the name that is next stands for; null when it is no number or vector.
-const Numbers* numbers_of_name(Interpreter& in) {
+const Numbers* numbers_of_name(Evaluator& in) {
   const Value* const value = in.peek_value();
   return value != nullptr ? std::get_if<Numbers>(value) : nullptr;
 }
 
-Numbers parse_operand(Interpreter& in, std::uint8_t terms) {
+Numbers parse_operand(Evaluator& in, std::uint8_t terms) {
   Numbers result;
   if (const Token& token = in.peek(); token.kind == TokenKind::number) {
     result.values[0] = token.number;
@@ -111,14 +112,14 @@ Numbers parse_operand(Interpreter& in, std::uint8_t terms) {
     result = fitted(*numbers, terms);
     in.take();
   } else {
-    const Interpreter::Release release(in);
+    const Evaluator::Release release(in);
     result = parse_operand_alone(in, terms);
   }
   if (in.peek().is(Punctuation::period)) take_component(in, result);
   return result;
 }
 
-Numbers parse_product(Interpreter& in, std::uint8_t terms) {
+Numbers parse_product(Evaluator& in, std::uint8_t terms) {
   Numbers left = parse_operand(in, terms);
   for (;;) {
     const Token& mark = in.peek();
@@ -134,7 +135,7 @@ Numbers parse_product(Interpreter& in, std::uint8_t terms) {
   }
 }
 
-Numbers parse_sum_by_tokens(Interpreter& in, std::uint8_t terms) {
+Numbers parse_sum_by_tokens(Evaluator& in, std::uint8_t terms) {
   Numbers left = parse_product(in, terms);
   for (;;) {
     const Token& mark = in.peek();
@@ -150,10 +151,10 @@ Numbers parse_sum_by_tokens(Interpreter& in, std::uint8_t terms) {
   }
 }
 
-Numbers parse_comparison(Interpreter& in, std::uint8_t terms) {
+Numbers parse_comparison(Evaluator& in, std::uint8_t terms) {
   bool strings = false;
   {
-    const Interpreter::Release release(in);
+    const Evaluator::Release release(in);
     strings = at_string(in);
   }
   if (strings) {
@@ -174,7 +175,7 @@ Numbers parse_comparison(Interpreter& in, std::uint8_t terms) {
   return left;
 }
 
-Numbers parse_logical(Interpreter& in, std::uint8_t terms) {
+Numbers parse_logical(Evaluator& in, std::uint8_t terms) {
   Numbers left = parse_comparison(in, terms);
   for (;;) {
     const Token& mark = in.peek();
@@ -185,8 +186,8 @@ Numbers parse_logical(Interpreter& in, std::uint8_t terms) {
   }
 }
 
-Numbers parse_full_by_tokens(Interpreter& in, std::uint8_t terms) {
-  const Interpreter::Nesting nesting(in);
+Numbers parse_full_by_tokens(Evaluator& in, std::uint8_t terms) {
+  const Evaluator::Nesting nesting(in);
   const Token& first = in.peek();
   Numbers result = parse_logical(in, 1);
   if (!in.peek().is(Punctuation::question)) {
@@ -203,7 +204,7 @@ Numbers parse_full_by_tokens(Interpreter& in, std::uint8_t terms) {
 }
 
 // An expression, by the formula for it if there is one. `at` becomes its first token.
-Numbers parse_numbers(Interpreter& in, Formula::Kind kind, std::uint8_t terms, const Token*& at) {
+Numbers parse_numbers(Evaluator& in, Formula::Kind kind, std::uint8_t terms, const Token*& at) {
   Numbers result;
   const Formula* const formula = in.next_formula(kind);
   if (formula != nullptr && in.evaluate(*formula, terms, result)) {
@@ -216,18 +217,18 @@ Numbers parse_numbers(Interpreter& in, Formula::Kind kind, std::uint8_t terms, c
 
 }  // namespace
 
-void fail_components(Interpreter& in, const Token& at, std::string_view expected, const Numbers& found) {
+void fail_components(Evaluator& in, const Token& at, std::string_view expected, const Numbers& found) {
   in.fail(at.location,
           "expected a " + std::string(expected) + ", found a " + std::string(kind_name(found)) + " expression");
 }
 
-double divide(Interpreter& in, const Token& mark, double a, double b) {
+double divide(Evaluator& in, const Token& mark, double a, double b) {
   if (b != 0.0) return a / b;
   in.warn(mark.location, "division by zero");
   return std::numeric_limits<double>::infinity();
 }
 
-double pick_component(Interpreter& in, const Token& word, const Numbers& numbers) {
+double pick_component(Evaluator& in, const Token& word, const Numbers& numbers) {
   const std::size_t component = picked_component(word.keyword);
   const auto& v = numbers.values;
   if (component == kGray) return 0.297 * v[0] + 0.589 * v[1] + 0.114 * v[2];  // the weights of POV-Ray's grey scale
@@ -236,32 +237,32 @@ double pick_component(Interpreter& in, const Token& word, const Numbers& numbers
           "a value of " + std::to_string(int{numbers.size}) + " components has no '." + std::string(word.text) + "'");
 }
 
-Numbers parse_sum(Interpreter& in, std::uint8_t terms) {
+Numbers parse_sum(Evaluator& in, std::uint8_t terms) {
   const Token* at = nullptr;
   return parse_numbers(in, Formula::Kind::sum, terms, at);
 }
 
-Numbers parse_full_expression(Interpreter& in, std::uint8_t terms) {
+Numbers parse_full_expression(Evaluator& in, std::uint8_t terms) {
   const Token* at = nullptr;
   return parse_numbers(in, Formula::Kind::full, terms, at);
 }
 
-double parse_float(Interpreter& in) {
+double parse_float(Evaluator& in) {
   const Token* at = nullptr;
   const Numbers numbers = parse_numbers(in, Formula::Kind::sum, 1, at);
   if (numbers.size != 1) fail_components(in, *at, "float", numbers);
   return numbers.values[0];
 }
 
-render::Vec3 parse_vector(Interpreter& in) {
+render::Vec3 parse_vector(Evaluator& in) {
   const Token* at = nullptr;
   const Numbers numbers = parse_numbers(in, Formula::Kind::sum, 3, at);
   if (numbers.size > 3) fail_components(in, *at, "vector", numbers);
   return {numbers.values[0], numbers.values[1], numbers.values[2]};
 }
 
-double parse_condition(Interpreter& in) {
-  const Interpreter::Hold hold(in);
+double parse_condition(Evaluator& in) {
+  const Evaluator::Hold hold(in);
   Numbers numbers;
   const Formula* const formula =
       in.next_formula(Formula::Kind::full, Punctuation::left_paren, Punctuation::right_paren);
@@ -277,7 +278,7 @@ double parse_condition(Interpreter& in) {
   return numbers.values[0];
 }
 
-std::pair<double, double> parse_two_numbers(Interpreter& in) {
+std::pair<double, double> parse_two_numbers(Evaluator& in) {
   in.expect(Punctuation::left_paren, "before the two numbers");
   const double first = parse_float(in);
   if (in.peek().is(Punctuation::comma)) in.take();
@@ -286,7 +287,7 @@ std::pair<double, double> parse_two_numbers(Interpreter& in) {
   return {first, second};
 }
 
-bool at_expression(Interpreter& in) {
+bool at_expression(Evaluator& in) {
   const Token& token = in.peek();
   if (token.kind == TokenKind::number) return true;
   if (token.kind == TokenKind::keyword) {
@@ -302,7 +303,7 @@ bool at_expression(Interpreter& in) {
          token.is(Punctuation::dash) || token.is(Punctuation::exclamation);
 }
 
-bool at_float(Interpreter& in) {
+bool at_float(Evaluator& in) {
   const Token& token = in.peek();
   if (token.kind == TokenKind::number) return true;
   if (token.kind == TokenKind::keyword) return word_kind(token.keyword) == WordKind::number;

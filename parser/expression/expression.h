@@ -13,43 +13,39 @@
 
 namespace firstlight::parser {
 
-class Interpreter;
+class Evaluator;
 
 // Numeric, vector and colour expressions. `terms` is the number of components that the place wants: a single number is
 // promoted to that many equal ones as soon as it is read, which shows when vectors of different length meet
 // (`<1, 2> + 1` is <2, 3, 1> where a vector of three is due). [POV-Ray 3.7 manual, "Vector Expressions"]
 
 /// What may stand anywhere a value is due: sums of products, no comparisons but in parentheses.
-Numbers parse_sum(Interpreter& in, std::uint8_t terms);
+Numbers parse_sum(Evaluator& in, std::uint8_t terms);
 /// With comparisons, `&`, `|` and `?:` too, as in parentheses and behind colour words.
-Numbers parse_full_expression(Interpreter& in, std::uint8_t terms);
-double parse_float(Interpreter& in);
-render::Vec3 parse_vector(Interpreter& in);
+Numbers parse_full_expression(Evaluator& in, std::uint8_t terms);
+double parse_float(Evaluator& in);
+render::Vec3 parse_vector(Evaluator& in);
 /// `(full expression)` that gives a single number.
-double parse_condition(Interpreter& in);
+double parse_condition(Evaluator& in);
 /// `(number, number)`
-std::pair<double, double> parse_two_numbers(Interpreter& in);
-render::FilteredColor parse_color(Interpreter& in);
+std::pair<double, double> parse_two_numbers(Evaluator& in);
+render::FilteredColor parse_color(Evaluator& in);
 
-/// What a reserved word begins in an expression.
-enum class WordKind : std::uint8_t { other, number, vector, color, string };
-WordKind word_kind(Keyword word);
 /// Whether an expression, a colour among them, can begin here; or one that can only give a single number.
-bool at_expression(Interpreter& in);
-bool at_float(Interpreter& in);
+bool at_expression(Evaluator& in);
+bool at_float(Evaluator& in);
 
-/// Value of the function or constant `word`, which has been taken. Pre: word_kind() is number or vector.
-/// [functions.cpp] Leaves a single number (size 1) or a vector (size 3, or 2 and 4 for u, v and t).
-Numbers parse_function(Interpreter& in, const Token& word);
+/// The value of a word that begins a number or vector, `word`, which has been taken. [functions.cpp]
+Numbers parse_function(Evaluator& in, const Token& word);
 
 // Operations that may find a mistake, whoever has read their operands.
 
 /// Division by 0 is infinite, with a warning at the sign `mark`.
-double divide(Interpreter& in, const Token& mark, double a, double b);
+double divide(Evaluator& in, const Token& mark, double a, double b);
 /// Of `.word`; fails where `numbers` has no such component.
-double pick_component(Interpreter& in, const Token& word, const Numbers& numbers);
+double pick_component(Evaluator& in, const Token& word, const Numbers& numbers);
 /// "expected a float, found a vector expression", at the expression's first token.
-[[noreturn]] void fail_components(Interpreter& in, const Token& at, std::string_view expected, const Numbers& found);
+[[noreturn]] void fail_components(Evaluator& in, const Token& at, std::string_view expected, const Numbers& found);
 
 /// For messages.
 std::string number_text(double value);

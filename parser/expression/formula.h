@@ -1,9 +1,11 @@
 #pragma once
 
+#include "parser/text/lexer.h"
 #include "parser/text/token.h"
 #include "parser/text/value.h"
 
 #include <array>
+#include <cstddef>
 #include <cstdint>
 #include <memory>
 #include <span>
@@ -12,15 +14,14 @@
 namespace firstlight::parser {
 
 class FormulaProgram;
-class Interpreter;
 
 /// A numeric expression of the scene text in the form of steps for a stack machine: text that loops and macros replay
-/// is analysed once and only evaluated from then on.
+/// is analysed once and only evaluated from then on, by a program for each set of sizes that its names' values have.
 ///
 /// Meaning  It stands for the expression as long as all its names are numbers or vectors when it is evaluated; whether
 ///          a name is a macro, say, can differ from turn to turn, so this is to be checked each time. Expressions with
-///          calls of macros and functions, with elements of arrays, strings and the rarer functions have none. Mistakes
-///          and warnings are those of parser/expression/expression.h, at the same places.
+///          calls of macros and functions, with elements of arrays, strings and the rarer functions have none. Warnings
+///          and mistakes are those of parser/expression/expression.h, at the same places.
 class Formula {
  public:
   /// How far an expression reaches: parse_sum() or parse_full_expression().
@@ -45,7 +46,7 @@ class Formula {
     promote,
     check_float,
     check_vector,
-    call_number,  ///< the calls: by CallForm
+    call_number,  ///< the calls: by what the word is, see Word
     call_two,
     fold,
     fold_end,
@@ -92,19 +93,18 @@ class Formula {
     return Shape{value.size | (value.is_color ? kColorShape : 0u)} << (kShapeBits * name);
   }
 
-  /// What the names stand for, in their order.
-  struct Values {
-    std::array<const Numbers*, kMostNames> of_names;
-    Shape shape = 0;
-  };
-  /// `terms`: how many components the place wants. Pre: `result` is as it was made.
-  void evaluate(Interpreter& in, const Values& values, std::uint8_t terms, Numbers& result) const;
+  /// The program for values of `shape`, where the place wants `terms` components. Null when an operand has a size that
+  /// its place does not take, which is a mistake in the scene, and when there are too many programs already: then the
+  /// expression is to be read token by token.
+  const FormulaProgram* program(Shape shape, std::uint8_t terms) const {
+    return shape == latest_shape_ && terms == latest_terms_ ? latest_ : other_program(shape, terms);
+  }
 
  private:
   friend class FormulaCompiler;
-  static constexpr std::size_t kMostPrograms = 4;
+  static constexpr std::size_t kMostPrograms = 8;
 
-  void evaluate_anew(Interpreter& in, const Values& values, std::uint8_t terms, Numbers& result) const;
+  const FormulaProgram* other_program(Shape shape, std::uint8_t terms) const;
 
   std::vector<Step> steps_;
   std::vector<std::uint32_t> names_;
@@ -113,26 +113,30 @@ class Formula {
   std::uint32_t end_ = 0;
   std::size_t depth_ = 0;
   bool ends_at_hold_ = false;
-  // For the shapes that there have been, and the one that came last.
+  // For the shapes that there have been, and for the one that came last.
   mutable std::vector<std::unique_ptr<const FormulaProgram>> programs_;
   mutable const FormulaProgram* latest_ = nullptr;
+  mutable Shape latest_shape_ = 0;
+  mutable std::uint8_t latest_terms_ = 0;  // 0: none has come
 };
 
-/// The formulas of a file's expressions. One is made when an expression is met for the second time.
+/// The formulas of a scene's expressions. One is made when an expression is met for the second time.
 class FormulaTable {
  public:
-  const Formula* find(const std::vector<Token>& tokens, std::uint32_t begin, Formula::Kind kind) {
-    if (entries_.empty()) entries_.resize(tokens.size());
-    const std::uint32_t entry = entries_[begin][static_cast<std::size_t>(kind)];
-    return entry >= kFirst ? formulas_[entry - kFirst].get() : entry == kNone ? nullptr : meet(tokens, begin, kind);
+  /// That of the expression which begins at the token `begin`; null when it is met for the first time or has none.
+  const Formula* find(const TokenFile& file, std::uint32_t begin, Formula::Kind kind) {
+    const std::size_t at = file.first + begin;
+    if (at >= entries_.size()) entries_.resize(file.first + file.tokens.size());
+    std::uint32_t& entry = entries_[at][static_cast<std::size_t>(kind)];
+    return entry >= kFirst ? formulas_[entry - kFirst].get() : entry == kNone ? nullptr : meet(file, begin, kind, entry);
   }
 
  private:
   static constexpr std::uint32_t kNew = 0, kMet = 1, kNone = 2, kFirst = 3;
 
-  const Formula* meet(const std::vector<Token>& tokens, std::uint32_t begin, Formula::Kind kind);
+  const Formula* meet(const TokenFile& file, std::uint32_t begin, Formula::Kind kind, std::uint32_t& entry);
 
-  std::vector<std::array<std::uint32_t, 2>> entries_;  // by first token and kind
+  std::vector<std::array<std::uint32_t, 2>> entries_;  // by first token, of all files, and kind
   std::vector<std::unique_ptr<const Formula>> formulas_;
 };
 

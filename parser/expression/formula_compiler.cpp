@@ -1,10 +1,10 @@
 // From text to formulas, by the grammar of parser/expression/expression.cpp.
 #include "parser/expression/arithmetic.h"
 #include "parser/expression/formula.h"
-#include "parser/expression/function_values.h"
+#include "parser/expression/words.h"
 
 #include <algorithm>
-#include <optional>
+#include <variant>
 
 namespace firstlight::parser {
 
@@ -193,6 +193,10 @@ class FormulaCompiler {
 
   // A sum that must give a single number, or a vector of at most three components.
   bool number() { return checked(Operation::check_float, 1); }
+  bool further_number() {
+    accept(Punctuation::comma);
+    return number();
+  }
   bool vector_argument() { return checked(Operation::check_vector, 3); }
   bool checked(Operation check, std::uint8_t terms) {
     const Token& first = next();
@@ -202,74 +206,55 @@ class FormulaCompiler {
   }
 
   bool word(const Token& token, std::uint8_t terms) {
-    if (const std::optional<double> value = constant_of(token.keyword)) {
-      emit(Operation::number, token, terms).number = *value;
+    const auto& value = word_of(token.keyword).value;
+    if (const auto* constant = std::get_if<Word::Constant>(&value)) {
+      emit(Operation::number, token, terms).number = constant->value;
       return grow(0);
     }
-    switch (token.keyword) {
-      case Keyword::x:
-        return unit_vector(token, 0, 3, terms);
-      case Keyword::y:
-        return unit_vector(token, 1, 3, terms);
-      case Keyword::z:
-        return unit_vector(token, 2, 3, terms);
-      case Keyword::u:
-        return unit_vector(token, 0, 2, terms);
-      case Keyword::v:
-        return unit_vector(token, 1, 2, terms);
-      default:
-        return call(token, terms);
+    if (const auto* vector = std::get_if<Word::Unit>(&value)) {
+      Formula::Step& step = emit(Operation::unit, token, terms);
+      step.index = vector->component;
+      step.number = vector->size;
+      return grow(0) && !token.is(Keyword::t);  // which begins an expression only where nothing else can stand
     }
+    return call(token, terms);
   }
 
-  bool unit_vector(const Token& token, std::uint8_t component, std::uint8_t size, std::uint8_t terms) {
-    Formula::Step& step = emit(Operation::unit, token, terms);
-    step.index = component;
-    step.number = size;
-    return grow(0);
-  }
-
+  // A function of numbers or vectors.
   bool call(const Token& word, std::uint8_t terms) {
-    const CallForm form = call_form(word.keyword);
-    if (form == CallForm::other || !accept(Punctuation::left_paren)) return false;
+    const auto& value = word_of(word.keyword).value;
+    if (!accept(Punctuation::left_paren)) return false;
     std::size_t arguments = 1;
-    switch (form) {
-      case CallForm::number: {
-        const Token& first = next();
-        if (!full(1)) return false;
-        emit(Operation::check_float, first);
-        emit(Operation::call_number, word, terms);
-        break;
+    if (std::holds_alternative<Word::OfOne>(value)) {
+      const Token& first = next();
+      if (!full(1)) return false;
+      emit(Operation::check_float, first);
+      emit(Operation::call_number, word, terms);
+    } else if (std::holds_alternative<Word::OfTwo>(value)) {
+      if (!number() || !further_number()) return false;
+      emit(Operation::call_two, word, terms);
+      arguments = 2;
+    } else if (std::holds_alternative<Word::Fold>(value)) {
+      if (!number()) return false;
+      while (accept(Punctuation::comma)) {
+        if (!number()) return false;
+        operate(Operation::fold, word);
       }
-      case CallForm::two_numbers:
-        if (!number()) return false;
+      emit(Operation::fold_end, word, terms);
+    } else if (const auto* function = std::get_if<Word::OfVectors>(&value)) {
+      if (!vector_argument()) return false;
+      if (function->takes_second) {
         accept(Punctuation::comma);
-        if (!number()) return false;
-        emit(Operation::call_two, word, terms);
-        arguments = 2;
-        break;
-      case CallForm::fold:
-        if (!number()) return false;
-        while (accept(Punctuation::comma)) {
-          if (!number()) return false;
-          operate(Operation::fold, word);
-        }
-        emit(Operation::fold_end, word, terms);
-        break;
-      default:
         if (!vector_argument()) return false;
-        if (takes_second_vector(word.keyword)) {
-          accept(Punctuation::comma);
-          if (!vector_argument()) return false;
-          ++arguments;
-        }
-        if (word.is(Keyword::vaxis_rotate)) {
-          accept(Punctuation::comma);
-          if (!number()) return false;
-          ++arguments;
-        }
-        emit(Operation::call_vectors, word, terms);
-        break;
+        ++arguments;
+      }
+      if (function->takes_degrees) {
+        if (!further_number()) return false;
+        ++arguments;
+      }
+      emit(Operation::call_vectors, word, terms);
+    } else {
+      return false;
     }
     return grow(arguments) && accept(Punctuation::right_paren);
   }

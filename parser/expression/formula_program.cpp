@@ -1,12 +1,13 @@
 #include "parser/expression/formula_program.h"
 
-#include "parser/directive/interpreter.h"
 #include "parser/expression/arithmetic.h"
+#include "parser/expression/evaluator.h"
 #include "parser/expression/expression.h"
-#include "parser/expression/function_values.h"
+#include "parser/expression/words.h"
 
 #include <algorithm>
 #include <array>
+#include <variant>
 
 namespace firstlight::parser {
 
@@ -18,6 +19,12 @@ render::Vec3 vector_at(const double* components, std::uint8_t size) {
   render::Vec3 vector(0.0);
   for (int i = 0; i < std::min<int>(size, 3); ++i) vector[i] = components[i];
   return vector;
+}
+
+/// What a word is, which is known.
+template <class T>
+const T& as(const Word& word) {
+  return *std::get_if<T>(&word.value);
 }
 
 }  // namespace
@@ -67,7 +74,7 @@ class FormulaSizer {
         return top().size <= 3;
       case Of::call_number:
         operands_.pop_back();
-        emit(step.token->is(Keyword::rand) ? Operation::rand : Operation::call_number, step);
+        emit(Operation::call_number, step);
         return push(1, step);
       case Of::call_two:
       case Of::fold:
@@ -103,6 +110,7 @@ class FormulaSizer {
     step.operation = operation;
     step.size = size;
     step.token = from.token;
+    step.word = &word_of(from.token->keyword);
     return program_.steps_.emplace_back(step);
   }
 
@@ -162,16 +170,17 @@ class FormulaSizer {
   }
 
   bool call_vectors(const Formula::Step& step) {
-    const Keyword word = step.token->keyword;
-    if (word == Keyword::vaxis_rotate) operands_.pop_back();
+    const Word& word = word_of(step.token->keyword);
+    const auto& function = std::get<Word::OfVectors>(word.value);
+    if (function.takes_degrees) operands_.pop_back();
     std::uint8_t second = 0;
-    if (takes_second_vector(word)) {
+    if (function.takes_second) {
       second = top().size;
       operands_.pop_back();
     }
     emit(Operation::call_vectors, step, second).left = top().size;
     operands_.pop_back();
-    return push(word == Keyword::vdot || word == Keyword::vlength ? 1 : 3, step);
+    return push(word.kind == WordKind::number ? 1 : 3, step);
   }
 
   FormulaProgram& program_;
@@ -192,7 +201,7 @@ std::unique_ptr<const FormulaProgram> FormulaProgram::make(std::span<const Formu
 }
 
 // In each component, of which the shorter operand gets as many as the other has.
-void FormulaProgram::combine(Interpreter& in, const Step& step, double*& top) {
+void FormulaProgram::combine(Evaluator& in, const Step& step, double*& top) {
   using Of = Formula::Operation;
   std::array<double, kMostComponents> widened;
   const std::uint8_t size = std::max(step.left, step.size);
@@ -235,22 +244,21 @@ void FormulaProgram::combine(Interpreter& in, const Step& step, double*& top) {
   }
 }
 
-void FormulaProgram::call_vectors(Interpreter& in, const Step& step, double*& top) {
-  const Token& word = *step.token;
-  const double degrees = word.is(Keyword::vaxis_rotate) ? *--top : 0.0;
+void FormulaProgram::call_vectors(Evaluator& in, const Step& step, double*& top) {
+  const auto& function = as<Word::OfVectors>(*step.word);
+  const double degrees = function.takes_degrees ? *--top : 0.0;
   top -= step.size;
   const render::Vec3 second = vector_at(top, step.size);
   top -= step.left;
   const render::Vec3 first = vector_at(top, step.left);
-  if (word.is(Keyword::vdot) || word.is(Keyword::vlength)) {
-    *top++ = number_of_vectors(word.keyword, first, second);
-    return;
-  }
-  const render::Vec3 result = vector_of_vectors(in, word, first, second, degrees);
-  for (int i = 0; i < 3; ++i) *top++ = result[i];
+  const render::Vec3 result = function.value(in, *step.token, first, second, degrees);
+  *top++ = result.x;
+  if (step.word->kind == WordKind::number) return;
+  *top++ = result.y;
+  *top++ = result.z;
 }
 
-void FormulaProgram::run(Interpreter& in, const Numbers* const* values, Numbers& result) const {
+void FormulaProgram::run(Evaluator& in, const Numbers* const* values, Numbers& result) const {
   std::array<double, Formula::kDeepestStack * kMostComponents> stack;
   double* top = stack.data();  // behind the topmost number
   for (const Step& step : steps_) {
@@ -309,26 +317,19 @@ void FormulaProgram::run(Interpreter& in, const Numbers* const* values, Numbers&
         *top++ = pick_component(in, *step.token, whole);
         break;
       }
-      case Operation::rand: {
-        RandomStreams& random = in.random();
-        const double stream = top[-1];
-        const bool exists = stream >= 0.0 && stream < static_cast<double>(random.count());
-        top[-1] = exists ? random.next(static_cast<std::size_t>(stream)) : value_of_number(in, *step.token, stream);
-        break;
-      }
       case Operation::call_number:
-        top[-1] = value_of_number(in, *step.token, top[-1]);
+        top[-1] = as<Word::OfOne>(*step.word)(in, *step.token, top[-1]);
         break;
       case Operation::call_two:
         --top;
-        top[-1] = value_of_two(in, *step.token, top[-1], top[0]);
+        top[-1] = as<Word::OfTwo>(*step.word)(in, *step.token, top[-1], top[0]);
         break;
       case Operation::fold:
         --top;
-        top[-1] = parser::fold(step.token->keyword, top[-1], top[0]);
+        top[-1] = as<Word::Fold>(*step.word).join(top[-1], top[0]);
         break;
       case Operation::fold_end:
-        top[-1] = parser::fold_end(step.token->keyword, top[-1]);
+        top[-1] = parser::fold_end(as<Word::Fold>(*step.word), top[-1]);
         break;
       case Operation::call_vectors:
         call_vectors(in, step, top);

@@ -9,6 +9,9 @@
 
 namespace firstlight::parser {
 
+class Evaluator;
+struct Word;
+
 /// A formula for names that stand for values of known sizes. Then the sizes of all operands are known, so they lie side
 /// by side on a stack of plain numbers, and a vector written in the text is there as soon as its components are.
 class FormulaProgram {
@@ -19,7 +22,7 @@ class FormulaProgram {
 
   bool serves(Formula::Shape shape, std::uint8_t terms) const { return shape == shape_ && terms == terms_; }
   /// Pre: the values are of the shape that it serves; `result` is as it was made.
-  void run(Interpreter& in, const Numbers* const* values, Numbers& result) const;
+  void run(Evaluator& in, const Numbers* const* values, Numbers& result) const;
 
  private:
   friend class FormulaSizer;
@@ -40,7 +43,6 @@ class FormulaProgram {
     negate,
     invert,
     component,
-    rand,
     call_number,
     call_two,
     fold,
@@ -54,11 +56,12 @@ class FormulaProgram {
     std::uint8_t index = 0;
     Formula::Operation of_two = Formula::Operation::add;  ///< what `combine` does
     const Token* token = nullptr;
+    const Word* word = nullptr;  ///< the token's
     double number = 0.0;
   };
 
-  static void combine(Interpreter& in, const Step& step, double*& top);
-  static void call_vectors(Interpreter& in, const Step& step, double*& top);
+  static void combine(Evaluator& in, const Step& step, double*& top);
+  static void call_vectors(Evaluator& in, const Step& step, double*& top);
 
   std::vector<Step> steps_;
   Formula::Shape shape_ = 0;

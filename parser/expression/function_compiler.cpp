@@ -1,8 +1,8 @@
 #include "parser/expression/function_compiler.h"
 
 #include "parser/expression/function_emitter.h"
-#include "parser/expression/function_values.h"
-#include "parser/expression/function_words.h"
+#include "parser/expression/function_operators.h"
+#include "parser/expression/words.h"
 
 #include <algorithm>
 #include <array>
@@ -284,7 +284,8 @@ class Compiler {
   }
 
   void word(const Token& token) {
-    if (const std::optional<double> constant = constant_of(token.keyword)) return emitter_.constant(*constant);
+    const Word& meaning = word_of(token.keyword);
+    if (const auto* constant = std::get_if<Word::Constant>(&meaning.value)) return emitter_.constant(constant->value);
     switch (token.keyword) {
       case Keyword::clock:
         return emitter_.constant(scope_.clock);
@@ -303,16 +304,15 @@ class Compiler {
       default:
         break;
     }
-    if (const Operation* of_one = find(kOfOne, token.keyword)) {
-      arguments(token, 1, 1);
-      apply(*of_one, token);
-    } else if (const Operation* of_two = find(kOfTwo, token.keyword)) {
-      arguments(token, 2, 2);
-      apply(*of_two, token);
-    } else if (const Operation* of_many = find(kOfMany, token.keyword)) {
-      arguments(token, 2, tokens_.size(), of_many);
-    } else {
+    if (!meaning.operation) {
       fail(token, "expected a number, found '" + std::string(token.text) + "', which is no function of numbers");
+    }
+    if (std::holds_alternative<Word::Fold>(meaning.value)) {
+      arguments(token, 2, tokens_.size(), &*meaning.operation);
+    } else {
+      const std::size_t count = std::holds_alternative<Word::OfTwo>(meaning.value) ? 2 : 1;
+      arguments(token, count, count);
+      apply(*meaning.operation, token);
     }
   }
 

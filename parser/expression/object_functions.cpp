@@ -1,17 +1,16 @@
 #include "parser/expression/object_functions.h"
 
-#include "parser/directive/interpreter.h"
+#include "parser/expression/arithmetic.h"
+#include "parser/expression/evaluator.h"
 #include "parser/expression/expression.h"
 #include "render/scene/extent.h"
 
-#include <algorithm>
 #include <memory>
 #include <optional>
 #include <string>
 
 namespace firstlight::parser {
 
-using render::Feature;
 using render::Object;
 using render::Vec3;
 
@@ -19,16 +18,12 @@ namespace {
 
 using ObjectPtr = std::shared_ptr<const Object>;
 
-/// Where an object is taken to be that is only described. Pictures of such scenes are refused; an answer that is not
-/// empty lets the scene be read to its end.
-const render::Box3 kMadeUpBox{Vec3(0.0), Vec3(1.0)};
-
-void comma(Interpreter& in) {
+void comma(Evaluator& in) {
   if (in.peek().is(Punctuation::comma)) in.take();
 }
 
 /// `(object`
-ObjectPtr take_object(Interpreter& in, const Token& word) {
+ObjectPtr take_object(Evaluator& in, const Token& word) {
   in.expect(Punctuation::left_paren, "after", word.text);
   const Value* value = in.peek_value();
   const auto* held = value != nullptr ? std::get_if<ObjectPtr>(value) : nullptr;
@@ -38,85 +33,40 @@ ObjectPtr take_object(Interpreter& in, const Token& word) {
   return object;
 }
 
-Numbers numbers_of(const Vec3& v) {
-  Numbers numbers;
-  numbers.values = {v.x, v.y, v.z, 0.0, 0.0};
-  numbers.size = 3;
-  return numbers;
-}
-
 }  // namespace
 
-Vec3 parse_trace(Interpreter& in, const Token& word) {
+Numbers parse_trace(Evaluator& in, const Token& word) {
   const ObjectPtr object = take_object(in, word);
   comma(in);
   const Vec3 origin = parse_vector(in);
   comma(in);
   const Vec3 direction = parse_vector(in);
   comma(in);
-  const render::ObjectProbe& probe = in.probe(object);
-  std::optional<render::ObjectProbe::Hit> hit;
-  if (probe.is_complete()) {
-    hit = probe.trace(origin, direction);
-  } else {
-    in.note_unrendered(Feature::trace, word.location);
-    hit = render::ObjectProbe::Hit{origin + direction, -direction};
-  }
+  const std::optional<render::ObjectProbe::Hit> hit = in.probe(object).trace(origin, direction);
   const Value* normal = in.peek_value();
   if (normal != nullptr && std::holds_alternative<Numbers>(*normal)) {
     const Scopes::Binding variable = in.take_binding();
     *variable.slot = numbers_of(hit ? hit->normal : Vec3(0.0));
   }
   in.expect(Punctuation::right_paren, "to close", word.text);
-  return hit ? hit->point : Vec3(0.0);
+  return numbers_of(hit ? hit->point : Vec3(0.0));
 }
 
-bool parse_inside(Interpreter& in, const Token& word) {
+Numbers parse_inside(Evaluator& in, const Token& word) {
   const Token& name = in.peek();
   const ObjectPtr object = take_object(in, word);
   if (object->patch) in.fail(name.location, "'inside' needs an object that has an inside");
   comma(in);
   const Vec3 point = parse_vector(in);
   in.expect(Punctuation::right_paren, "to close", word.text);
-  const render::ObjectProbe& probe = in.probe(object);
-  if (probe.is_complete()) return probe.inside(point);
-  in.note_unrendered(Feature::inside, word.location);
-  return kMadeUpBox.intersects(point);
+  return single(in.probe(object).inside(point) ? 1.0 : 0.0, 1);
 }
 
-Vec3 parse_extent(Interpreter& in, const Token& word) {
+Numbers parse_extent(Evaluator& in, const Token& word) {
   const ObjectPtr object = take_object(in, word);
   in.expect(Punctuation::right_paren, "to close", word.text);
-  if (!render::is_made(*object)) {
-    in.note_unrendered(Feature::extent, word.location);
-    return word.is(Keyword::min_extent) ? kMadeUpBox.min : kMadeUpBox.max;
-  }
   const render::Box3 box = render::extent(*object).box();
-  return word.is(Keyword::min_extent) ? box.min : box.max;
-}
-
-const render::ObjectProbe& Interpreter::probe(const ObjectPtr& object) {
-  constexpr std::size_t kKept = 8;
-  const auto found =
-      std::find_if(probes_.begin(), probes_.end(), [&](const auto& kept) { return kept.first == object; });
-  if (found != probes_.end()) {
-    std::rotate(found, found + 1, probes_.end());
-  } else {
-    if (probes_.size() == kKept) probes_.erase(probes_.begin());
-    probes_.emplace_back(object, render::ObjectProbe(*object));
-  }
-  return probes_.back().second;
-}
-
-bool Interpreter::has_guessed() const {
-  const auto& uses = context_.builder.settings().unrendered.list();
-  return std::any_of(uses.begin(), uses.end(), [](const render::FeatureUse& use) {
-    return use.feature == Feature::trace || use.feature == Feature::inside || use.feature == Feature::extent;
-  });
-}
-
-void Interpreter::note_unrendered(Feature feature, const Location& at) {
-  context_.builder.settings().unrendered.add({feature, at.file, at.line, at.column});
+  return numbers_of(word.is(Keyword::min_extent) ? box.min : box.max);
 }
 
 }  // namespace firstlight::parser

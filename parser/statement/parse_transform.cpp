@@ -18,7 +18,7 @@ Transform parse_scale(Reader& reader) {
   Vec3 factors = finite(reader, at, reader.vector3(), "scale");
   for (int axis = 0; axis < 3; ++axis) {
     if (factors[axis] != 0.0) continue;
-    reader.warn(at, std::string("scale by 0 along ") + "xyz"[axis] + " is taken as 1");
+    reader.warn(at, "scale by 0 along " + std::string(1, "xyz"[axis]) + " is taken as 1");
     factors[axis] = 1.0;
   }
   return Transform::scaling(factors);

@@ -1,9 +1,10 @@
 #pragma once
 
-#include "parser/expression/formula.h"
 #include "parser/text/source.h"
 #include "parser/text/token.h"
 
+#include <cstddef>
+#include <cstdint>
 #include <deque>
 #include <memory>
 #include <string>
@@ -35,7 +36,7 @@ constexpr std::uint32_t kNoLink = 0;
 struct TokenFile {
   const SourceFile* source = nullptr;
   std::vector<Token> tokens;
-  std::unique_ptr<FormulaTable> formulas = std::make_unique<FormulaTable>();  ///< of its expressions
+  std::size_t first = 0;  ///< how many tokens are in the files that were cut before it
 };
 
 /// Cuts a text into tokens, one at each call. Throws SyntaxError for what cannot be text of a scene.

@@ -32,9 +32,8 @@ const Scopes::Slot& Scopes::target(std::uint32_t symbol, Reach reach) {
   return stack.front().slot;
 }
 
-const Scopes::Slot& Scopes::target(std::uint32_t symbol, bool local) {
+const Scopes::Slot& Scopes::new_target(std::uint32_t symbol, bool local) {
   std::vector<Binding>& stack = bindings(symbol);
-  if (!stack.empty() && (!local || stack.back().scope == current())) return stack.back().slot;
   if (local) {
     bind(symbol, std::make_shared<Value>());
   } else {

@@ -46,7 +46,11 @@ class Scopes {
   const Binding* find(std::uint32_t symbol, Reach reach) const;
   /// The slot that `#declare` (`local` false) or `#local` writes to; made when there is none.
   /// The reference holds until the next name is bound.
-  const Slot& target(std::uint32_t symbol, bool local);
+  const Slot& target(std::uint32_t symbol, bool local) {
+    const std::vector<Binding>& stack = bindings(symbol);
+    const bool is_there = !stack.empty() && (!local || stack.back().scope == current());
+    return is_there ? stack.back().slot : new_target(symbol, local);
+  }
   const Slot& target(std::uint32_t symbol, Reach reach);
   /// Binds the name in the current scope, over any other meaning.
   void bind(std::uint32_t symbol, Slot slot);
@@ -58,6 +62,7 @@ class Scopes {
   void remove(std::uint32_t symbol, Reach reach = Reach::any);
 
  private:
+  const Slot& new_target(std::uint32_t symbol, bool local);
   std::vector<Binding>& bindings(std::uint32_t symbol) {
     if (symbol >= bindings_.size()) bindings_.resize(std::max<std::size_t>(symbol + 1, bindings_.size() * 2));
     return bindings_[symbol];

@@ -174,42 +174,6 @@ bool TokenStream::accept_word(std::string_view word) {
   return true;
 }
 
-const Formula* TokenStream::next_formula(Formula::Kind kind, Punctuation opening, Punctuation closing) {
-  // Text that is read once is not worth one, and a name that is deprecated must be told of.
-  if (!replays_ || pending_ || !deprecated_.empty()) return nullptr;
-  const Frame& frame = frames_.back();
-  const std::vector<Token>& tokens = frame.file->tokens;
-  std::uint32_t begin = settled_ ? next_index_ : frame.position;
-  if (opening != Punctuation::none && !tokens[begin++].is(opening)) return nullptr;
-  if (begin >= frame.end) return nullptr;
-  const Formula* const formula = frame.file->formulas->find(tokens, begin, kind);
-  if (formula == nullptr || formula->end() >= frame.end) return nullptr;
-  const bool ends_here =
-      closing != Punctuation::none ? tokens[formula->end()].is(closing) : !formula->ends_at_hold() || is_held();
-  return ends_here && nesting_ + formula->depth() < kDeepestExpression ? formula : nullptr;
-}
-
-bool TokenStream::accept_formula(const Formula& formula, Punctuation closing, Formula::Values& values) {
-  std::size_t name = 0;
-  for (const std::uint32_t symbol : formula.names()) {
-    const Scopes::Binding* const binding = scopes_.find(symbol);
-    const Numbers* const value = binding != nullptr ? std::get_if<Numbers>(binding->slot.get()) : nullptr;
-    if (value == nullptr) return false;
-    values.shape |= Formula::shape_of(*value, name);
-    values.of_names[name++] = value;
-  }
-  Frame& frame = frames_.back();
-  const std::uint32_t begin = settled_ ? next_index_ : frame.position;
-  frame.position = formula.end() + (closing != Punctuation::none ? 1 : 0);
-  settled_ = false;
-  last_ = &frame.file->tokens[frame.position - 1];
-  for (const Keyword word : formula.keywords()) count(word);
-  const std::uint64_t looks = taken_ / kTokensBetweenLooks;
-  taken_ += frame.position - begin;
-  if (taken_ / kTokensBetweenLooks != looks) look_around();
-  return true;
-}
-
 const Token& TokenStream::take_raw() {
   Frame& frame = frames_.back();
   const Token& token = frame.file->tokens[frame.position];

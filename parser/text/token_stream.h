@@ -10,6 +10,7 @@
 #include <cstdint>
 #include <map>
 #include <memory>
+#include <span>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -58,10 +59,6 @@ class TokenStream {
   /// it.
   bool next_is_word(std::string_view word);
   bool accept_word(std::string_view word);
-  /// The formula for the expression that is next, or that stands behind `opening` if it is named; null when there is
-  /// none, or it cannot be used here, or what is behind it is not the `closing` that is named.
-  const Formula* next_formula(Formula::Kind kind, Punctuation opening = Punctuation::none,
-                              Punctuation closing = Punctuation::none);
   /// Tokens taken so far; tells whether an expression was a single name.
   std::uint64_t taken() const { return taken_; }
   /// Takes `mark`; the message says "expected ')' `purpose` 'name', found ...".
@@ -195,9 +192,32 @@ class TokenStream {
     settled_ = false;
     pending_ = false;
   }
-  /// Takes the expression of what next_formula() has given, with the marks around it, and tells what its names stand
-  /// for. False when not all of them are numbers: then nothing is taken.
-  bool accept_formula(const Formula& formula, Punctuation closing, Formula::Values& values);
+  /// Text ahead in a frame, from the next token on.
+  struct Text {
+    const TokenFile* file = nullptr;
+    std::uint32_t begin = 0, end = 0;
+  };
+  /// The text ahead, when it may be taken by take_to() and is worth knowing: text that is read once is not, and a name
+  /// that is deprecated must be told of. Else without a file.
+  Text replayed_text() const {
+    if (!replays_ || pending_ || !deprecated_.empty()) return {};
+    const Frame& frame = frames_.back();
+    return {frame.file, settled_ ? next_index_ : frame.position, frame.end};
+  }
+  /// Takes all before the token `end` at once, with `words` among it. Pre: there are no directives and macros in it.
+  void take_to(std::uint32_t end, std::span<const Keyword> words) {
+    Frame& frame = frames_.back();
+    const std::uint64_t before = taken_;
+    taken_ += end - (settled_ ? next_index_ : frame.position);
+    frame.position = end;
+    settled_ = false;
+    last_ = &frame.file->tokens[end - 1];
+    for (const Keyword word : words) count(word);
+    if (taken_ / kTokensBetweenLooks != before / kTokensBetweenLooks) look_around();
+  }
+  /// Whether so many levels of expressions more would not be too many.
+  bool may_nest(std::size_t levels) const { return nesting_ + levels < kDeepestExpression; }
+  bool is_held() const { return hold_.held && blocks_.size() <= hold_.blocks; }
   void enter_frame(Frame frame);
   void leave_frame();
   void drop_blocks() { blocks_.clear(); }
@@ -231,7 +251,6 @@ class TokenStream {
   void note_statement(std::uint32_t position) {
     if (nesting_ == 0 && blocks_.empty()) statement_ = {frames_.size(), position};
   }
-  bool is_held() const { return hold_.held && blocks_.size() <= hold_.blocks; }
   void settle();
   void settle_step_by_step();
   void show(const Token& token, std::uint32_t index) {

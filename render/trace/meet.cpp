@@ -290,7 +290,7 @@ double Stepper::relative_ior(const Surface& surface) const {
   const MediumTable& media = context_.media;
   const std::uint32_t medium = surface.task->medium;
   const double ior = scene.interiors[surface.part->interior]->ior;
-  if (medium == MediumTable::kOutside) return ior / scene.settings.atmosphere_ior;
+  if (media.is_outside(medium)) return ior / scene.settings.atmosphere_ior;
   const double around = scene.interiors[media.innermost(medium)]->ior;
   if (!media.contains(medium, surface.part->interior)) return ior / around;
   return (media.depth(medium) == 1 ? scene.settings.atmosphere_ior : around) / ior;

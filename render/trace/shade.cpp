@@ -149,8 +149,8 @@ Vec3 Stepper::reflected_by(std::size_t hit, const Vec3& normal) const {
   Vec3 reflected = direction - normal * (2.0 * direction.dot(normal));
   const double above = reflected.dot(bare);
   if (above < 0.0) {
-    reflected = reflected.dot(normal) < 0.0 ? direction - bare * (2.0 * direction.dot(bare))
-                                            : reflected - bare * (2.0 * above);
+    reflected =
+        reflected.dot(normal) < 0.0 ? direction - bare * (2.0 * direction.dot(bare)) : reflected - bare * (2.0 * above);
   }
   return reflected.normalized();
 }
@@ -198,66 +198,117 @@ void Stepper::spawn_reflections(const Coating& coating, bool totally) {
   }
 }
 
+// Nested matter counts as outside of what surrounds it; of overlapping matter, the one met last fills the overlap.
+// [POV-Ray 3.7]
+Stepper::Passage Stepper::passage_of(const Surface& surface) const {
+  const Scene& scene = context_.scene;
+  MediumTable& media = context_.media;
+  const std::uint32_t own = surface.part->interior;
+  const std::uint32_t around = surface.task->medium;
+  const auto innermost = [&](std::uint32_t medium) {  // null: the air
+    return media.is_outside(medium) ? nullptr : &*scene.interiors[media.innermost(medium)];
+  };
+  const auto between = [&](const Interior* from, const Interior* to, std::uint32_t medium, int bands) {
+    const auto ior = [&](const Interior* matter) { return matter ? matter->ior : scene.settings.atmosphere_ior; };
+    const auto dispersion = [](const Interior* matter) { return matter ? dispersion_of(*matter) : 1.0; };
+    return Passage{medium, ior(from) / ior(to), dispersion(from) / dispersion(to), bands};
+  };
+  const Interior& interior = scene.interiors[own];
+  if (!media.contains(around, own)) {
+    return between(innermost(around), &interior, media.entered(around, own), interior.dispersion_samples);
+  }
+  const std::uint32_t beyond = media.left(around, own);
+  if (media.innermost(around) != own) return {beyond, 1.0, 1.0, 0};
+  const Interior* const next = innermost(beyond);
+  const int bands = std::max(interior.dispersion_samples, next != nullptr ? next->dispersion_samples : 0);
+  return between(&interior, next, beyond, bands);
+}
+
+bool Stepper::bend(const Coating& coating, double ior, RayTask& child) const {
+  // Heckbert's form of Snell's law: T = ior I + (ior c - sqrt(1 + ior^2 (c^2 - 1))) N, N towards the ray's origin.
+  const std::size_t hit = coating.hit;
+  const Vec3 direction = block_->direction.vector(hit);
+  const Vec3 normal = normal_at(hit, coating.column);
+  const double along = -direction.dot(normal);
+  const Vec3 facing = along >= 0.0 ? normal : -normal;
+  const double cosine = std::abs(along);
+  const double root = 1.0 + ior * ior * (cosine * cosine - 1.0);
+  if (root < 0.0) {
+    child.kind = RayKind::reflection;
+    child.flags |= RayTask::kReflected;
+    child.medium = surfaces_[hit].task->medium;
+    child.set_direction(PackedDirection(is_tilted(hit, coating.column) ? reflected_by(hit, normal)
+                                                                       : direction + normal * (2.0 * cosine)));
+    return true;
+  }
+  child.set_direction(PackedDirection(direction * ior + facing * (ior * cosine - std::sqrt(root))));
+  return false;
+}
+
 bool Stepper::spawn_transmission(const Coating& coating) {
   const std::size_t hit = coating.hit;
   const Surface& surface = surfaces_[hit];
-  const Scene& scene = context_.scene;
-  MediumTable& media = context_.media;
-  const Interior& interior = scene.interiors[surface.part->interior];
   const std::uint32_t own = surface.part->interior;
   const std::uint32_t around = surface.task->medium;
-
-  // Nested matter counts as outside of what surrounds it; of overlapping matter, the one met last fills the overlap.
-  RayTask& child = spawned_.emplace_back();
-  begin_child(child, hit, RayKind::transmission);
-  double ior = 1.0;  // of the side the ray comes from, relative to the side it goes to
-  if (around == MediumTable::kOutside) {
-    child.medium = media.entered(around, own);
-    ior = scene.settings.atmosphere_ior / interior.ior;
-  } else if (media.innermost(around) == own) {
-    child.medium = media.left(around, own);
-    const double beyond = child.medium == MediumTable::kOutside ? scene.settings.atmosphere_ior
-                                                                : scene.interiors[media.innermost(child.medium)]->ior;
-    ior = interior.ior / beyond;
-  } else if (media.contains(around, own)) {
-    child.medium = media.left(around, own);
-  } else {
-    ior = scene.interiors[media.innermost(around)]->ior / interior.ior;
-    child.medium = media.entered(around, own);
-  }
+  const Interior& interior = context_.scene.interiors[own];
+  const Passage passage = passage_of(surface);
 
   Rgb passed = Rgb(static_cast<float>(interior.refraction_scale));
-  if (std::abs(interior.fade_distance) > kNegligible && media.contains(around, own)) {
+  if (std::abs(interior.fade_distance) > kNegligible && context_.media.contains(around, own)) {
     passed *= faded_light(interior, surface.hit->depth);
   }
-
-  const Vec3 direction = block_->direction.vector(hit);
+  const Rgb weight = coating.weight * passed;
+  const bool disperses = std::abs(passage.dispersion - 1.0) >= kNegligible;
+  const SpectralBand band = disperses ? context_.media.band(around) : SpectralBand();
+  if (disperses && band.is_white()) {
+    spawn_bands(coating, passage, weight * coating.filter);
+    return false;
+  }
+  RayTask& child = spawned_.emplace_back();
+  begin_child(child, hit, RayKind::transmission);
+  child.medium = passage.medium;
   bool totally_reflected = false;
-  if (std::abs(ior - 1.0) < kNegligible) {
-    child.set_direction(PackedDirection(direction));
+  if (std::abs(passage.ior - 1.0) < kNegligible && !disperses) {
+    child.set_direction(PackedDirection(block_->direction.vector(hit)));
     child.flags |= RayTask::kContinued;
   } else {
-    // Heckbert's form of Snell's law: T = ior I + (ior c - sqrt(1 + ior^2 (c^2 - 1))) N, N towards the ray's origin.
-    const Vec3 normal = normal_at(hit, coating.column);
-    const double along = -direction.dot(normal);
-    const Vec3 facing = along >= 0.0 ? normal : -normal;
-    const double cosine = std::abs(along);
-    const double root = 1.0 + ior * ior * (cosine * cosine - 1.0);
-    totally_reflected = root < 0.0;
-    if (totally_reflected) {
-      child.kind = RayKind::reflection;
-      child.flags |= RayTask::kReflected;
-      child.medium = around;
-      child.set_direction(PackedDirection(is_tilted(hit, coating.column) ? reflected_by(hit, normal)
-                                                                         : direction + normal * (2.0 * cosine)));
-    } else {
-      child.set_direction(PackedDirection(direction * ior + facing * (ior * cosine - std::sqrt(root))));
-    }
+    const double ior = disperses ? dispersed_ior(passage.ior, passage.dispersion, band) : passage.ior;
+    totally_reflected = bend(coating, ior, child);
   }
-  child.set_weight(coating.weight * passed * (totally_reflected ? Rgb(1.0f) : coating.filter),
+  child.set_weight(totally_reflected ? weight : weight * coating.filter,
                    surface.task->adc_weight() * max_magnitude(coating.filter));
   end_ray(surface);
   return totally_reflected;
+}
+
+// Bands that are totally reflected go one way together, and as white light, which may be split again. [POV-Ray 3.7]
+void Stepper::spawn_bands(const Coating& coating, const Passage& passage, const Rgb& weight) {
+  const Surface& surface = surfaces_[coating.hit];
+  const float adc_weight = surface.task->adc_weight() * max_magnitude(coating.filter);
+  Rgb reflected(0.0f);
+  double reflected_ior = 0.0;
+  for (int number = 0; number < passage.bands; ++number) {
+    const SpectralBand band{static_cast<std::uint16_t>(number), static_cast<std::uint16_t>(passage.bands)};
+    const Rgb share = hue(band) / static_cast<float>(passage.bands);
+    const double ior = dispersed_ior(passage.ior, passage.dispersion, band);
+    RayTask& child = spawned_.emplace_back();
+    begin_child(child, coating.hit, RayKind::transmission);
+    child.medium = context_.media.in_band(passage.medium, band);
+    if (bend(coating, ior, child)) {
+      reflected += share;
+      reflected_ior = ior;
+      spawned_.pop_back();
+      continue;
+    }
+    child.set_weight(weight * share, adc_weight);
+    end_ray(surface);
+  }
+  if (is_black(reflected)) return;
+  RayTask& child = spawned_.emplace_back();
+  begin_child(child, coating.hit, RayKind::reflection);
+  bend(coating, reflected_ior, child);
+  child.set_weight(weight * reflected, adc_weight);
+  end_ray(surface);
 }
 
 }  // namespace firstlight::render

@@ -1,5 +1,6 @@
 #include "render/trace/step.h"
 
+#include "render/camera/camera.h"
 #include "render/math/interrupt.h"
 #include "render/trace/surface_limits.h"
 
@@ -81,10 +82,13 @@ void Stepper::step(std::span<const RayTask> tasks) {
 
 void Stepper::step_primary(std::span<const RayTask> tasks, std::span<const Ray> rays) {
   begin(tasks);
+  const double sight = std::min(farthest_sight(context_.camera()), kFarthestHit);
+  rays_->max_depth.at.fill(sight);
   for (std::size_t first = 0; first < tasks.size() && !Interrupt::asked(); first += kRaysAtOnce) {
     const std::size_t count = std::min(tasks.size() - first, kRaysAtOnce);
     step_radiance(tasks.subspan(first, count), rays.subspan(first, count), std::span(light_).subspan(first, count));
   }
+  rays_->max_depth.at.fill(kFarthestHit);
 }
 
 void Stepper::begin(std::span<const RayTask> tasks) {
@@ -159,6 +163,7 @@ void Stepper::step_shadow(std::span<const RayTask> tasks, std::span<Contribution
     const std::uint64_t shut =
         context_.scene.windows.empty() ? 0 : end_at_windows(tasks.subspan(first, end - first)) & ~to_areas;
     const std::uint64_t blocked = context_.accel.occluded(block.rays) | shut;
+    if (shadow_.takes_parts()) ask_passing(tasks.subspan(first, end - first), block.rays.all() & ~(blocked | to_areas));
     weigh_feelers(block);
     std::size_t feeler = 0;
     for (; first < end; ++first) take_back(tasks[first], feeler, blocked, to_areas, light[first]);
@@ -204,11 +209,23 @@ std::uint64_t Stepper::ask_areas(std::span<const RayTask> tasks) {
   return to_areas;
 }
 
+void Stepper::ask_passing(std::span<const RayTask> tasks, std::uint64_t open) {
+  std::array<std::uint32_t, kRaysAtOnce> media;
+  std::array<std::uint32_t, kRaysAtOnce> lights;
+  std::size_t feeler = 0;
+  for (const RayTask& task : tasks) {
+    task.for_each_feeler([&](std::uint32_t light, PackedRgb) {
+      media[feeler] = task.medium;
+      lights[feeler++] = light;
+    });
+  }
+  shadow_.pass_surfaces(feelers_->rays, open, std::span(media).first(feeler), std::span(lights).first(feeler), shares_);
+}
+
 void Stepper::take_back(const RayTask& task, std::size_t& feeler, std::uint64_t blocked, std::uint64_t to_areas,
                         Contribution& light) {
   FixedRgb taken;
   FixedRgb at_stake;
-  const RayBlock& rays = feelers_->rays;
   const std::size_t end = feeler + static_cast<std::size_t>(task.ray_count());
   const std::int64_t count = task.ray_count();
   for (; feeler < end; ++feeler) {
@@ -218,12 +235,8 @@ void Stepper::take_back(const RayTask& task, std::size_t& feeler, std::uint64_t 
     Rgb passed(1.0f);
     if ((blocked >> feeler & 1u) != 0) {
       passed = Rgb(0.0f);
-    } else if ((to_areas >> feeler & 1u) != 0) {
+    } else if ((to_areas >> feeler & 1u) != 0 || shadow_.takes_parts()) {
       passed = shares_[feeler];
-    } else if (shadow_.takes_parts()) {
-      const Ray ray{task.origin, rays.direction.vector(feeler)};
-      const Light& from = context_.scene.lights[static_cast<std::size_t>(feelers_->light[feeler])];
-      passed = shadow_.passing_light(from, task.medium, ray, rays.max_depth[feeler] + kShadowGap);
     }
     if (passed == Rgb(1.0f)) continue;
     if (passed == Rgb(0.0f)) {

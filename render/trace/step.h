@@ -109,6 +109,9 @@ class Stepper {
   /// the others' shares are what they were. Returns the bits of those feelers.
   std::uint64_t ask_areas(std::span<const RayTask> tasks);
 
+  /// The same of those whose bit is set in `open`, which meet nothing opaque.
+  void ask_passing(std::span<const RayTask> tasks, std::uint64_t open);
+
   /// Adds the hit of a ray of rays_ to block_ and surfaces_, unless it takes the light and gives none.
   void meet(std::size_t ray, const RayTask& task, const Rgb& weight, Contribution& sum);
   /// One texture of a hit, and its share of how the hit looks.
@@ -136,6 +139,18 @@ class Stepper {
   void add_feeler(std::size_t hit, std::uint32_t light, PackedRgb at_stake);
   /// Returns true where the ray cannot leave and is reflected instead (total internal reflection).
   bool spawn_transmission(const Coating& coating);
+  /// What a ray passes into at a hit, and how it is bent there.
+  struct Passage {
+    std::uint32_t medium;
+    double ior;         ///< of the side the ray comes from, relative to the side it goes to
+    double dispersion;  ///< the same
+    int bands;          ///< that white light is split into, if there is dispersion
+  };
+  Passage passage_of(const Surface& surface) const;
+  /// Sends the child the way of its refraction; returns true where it is reflected instead.
+  bool bend(const Coating& coating, double ior, RayTask& child) const;
+  /// A ray for each band.
+  void spawn_bands(const Coating& coating, const Passage& passage, const Rgb& weight);
   /// `totally`: the coat reflects all by its topmost normal, so that mirrors of this normal have no part.
   void spawn_reflections(const Coating& coating, bool totally);
   /// What a thin film on the mirror makes of white light that comes from where it reflects.
@@ -182,7 +197,7 @@ class Stepper {
   std::vector<LayerLook> looks_;
   std::unique_ptr<HitBlock> block_;
   std::unique_ptr<FeelerBlock> feelers_;
-  std::array<Rgb, kRaysAtOnce> shares_;  ///< of the block's feelers to area lights
+  std::array<Rgb, kRaysAtOnce> shares_;  ///< of the block's feelers, where they are asked for
   std::vector<Contribution> light_;
   std::vector<RayTask> spawned_;
   std::unique_ptr<Stepper> sealed_;  ///< made when first needed

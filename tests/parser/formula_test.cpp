@@ -54,11 +54,12 @@ TEST(Formula, IsMadeWhenTextIsMetAgain) {
   source.text = "1 + 2;";
   source.line_starts = {0};
   const TokenFile file = tokenize(source, symbols);
-  EXPECT_EQ(file.formulas->find(file.tokens, 0, Formula::Kind::sum), nullptr);
-  const Formula* const formula = file.formulas->find(file.tokens, 0, Formula::Kind::sum);
+  FormulaTable formulas;
+  EXPECT_EQ(formulas.find(file, 0, Formula::Kind::sum), nullptr);
+  const Formula* const formula = formulas.find(file, 0, Formula::Kind::sum);
   ASSERT_NE(formula, nullptr);
-  EXPECT_EQ(file.formulas->find(file.tokens, 0, Formula::Kind::sum), formula);
-  EXPECT_EQ(file.formulas->find(file.tokens, 0, Formula::Kind::full), nullptr);
+  EXPECT_EQ(formulas.find(file, 0, Formula::Kind::sum), formula);
+  EXPECT_EQ(formulas.find(file, 0, Formula::Kind::full), nullptr);
 }
 
 /// The expression in all places that formulas serve: declared, as a condition, handed to a macro, as an argument.
