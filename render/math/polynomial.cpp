@@ -82,23 +82,43 @@ double bracketed_root(const double* c, Order order, double a, double b, bool neg
   return x;
 }
 
-}  // namespace
-
-PolynomialRoots::PolynomialRoots(std::span<const double> c, double low, double high) : c_(c) {
-  if (c.size() < 2 || !(low < high)) return;
-  const std::size_t order = c.size() - 1;
-  waiting_[waiting_count_++] = {low, high, value(c.data(), order, low), value(c.data(), order, high)};
+/// Whether a quartic has two pairs of complex roots, beyond doubt by rounding.
+/// Source   E. L. Rees, Graphical Discussion of the Roots of a Quartic Equation, 1922.
+bool has_no_real_root(const double* c) {
+  constexpr double kSure = 1e-8;  // relative
+  const auto [e, d, cc, b, a] = std::array<double, 5>{c[0], c[1], c[2], c[3], c[4]};
+  const double ae = 12.0 * a * e;
+  const double bd = 3.0 * b * d;
+  const double c2 = cc * cc;
+  const double i = ae - bd + c2;
+  const double size = std::abs(ae) + std::abs(bd) + c2;
+  const double j = cc * (6.0 * ae + 3.0 * bd - 2.0 * c2) - 27.0 * (a * d * d + b * b * e);
+  if (!(4.0 * i * i * i - j * j > kSure * size * size * size)) return false;
+  const double b2 = b * b;
+  const double ac = a * cc;
+  if (8.0 * ac - 3.0 * b2 > kSure * (std::abs(ac) + b2)) return true;
+  const double a2 = a * a;
+  const double terms = 64.0 * a2 * a * e - 16.0 * a2 * b * d;
+  const double squares = 16.0 * ac * (b2 - ac) - 3.0 * b2 * b2;
+  return terms + squares > kSure * (std::abs(a2 * a * e) + std::abs(a2 * b * d) + ac * ac + b2 * b2);
 }
+
+}  // namespace
 
 template <class Order>
 bool PolynomialRoots::next(Order order, double& root) {
   const double* c = c_.data();
   constexpr std::size_t kRoom = std::is_same_v<Order, std::size_t> ? kMostOrder : std::size_t{Order()};
   while (waiting_count_ > 0) {
-    const Interval here = waiting_[--waiting_count_];
+    Interval here = waiting_[--waiting_count_];
     const double width = here.end - here.begin;
     std::array<double, kRoom + 1> b;
     find_bernstein(c, order, here.begin, width, b.data());
+    const bool is_whole = halvings_left_ == kMostHalvings;
+    if (is_whole) {
+      here.at_begin = b[0];
+      here.at_end = value(c, order, here.end);
+    }
     b[0] = here.at_begin;
     b[order] = here.at_end;
     std::uint64_t negative = 0;
@@ -118,6 +138,9 @@ bool PolynomialRoots::next(Order order, double& root) {
       if (negative_at_begin == (here.at_end < 0.0)) continue;
       root = bracketed_root(c, order, here.begin, here.end, negative_at_begin, middle);
       return true;
+    }
+    if constexpr (kRoom == 4) {
+      if (is_whole && has_no_real_root(c)) return false;
     }
     --halvings_left_;
     const double at_middle = value(c, order, middle);
@@ -140,14 +163,18 @@ bool PolynomialRoots::next(double& root) {
 }
 
 double root_bound(std::span<const double> c) {
-  const auto exponent = [](double x) { return static_cast<double>((std::bit_cast<std::uint64_t>(x) >> 52) & 0x7ff); };
+  // The bits of a positive number, as an integer, are its logarithm to base 2, off by less than 0.0861 and never above.
+  constexpr double kOne = 0x1p52;
+  constexpr double kOff = 0.0861 * kOne;
+  const auto logarithm = [](double x) { return static_cast<double>(std::bit_cast<std::int64_t>(std::abs(x))); };
   const std::size_t order = c.size() - 1;
-  const double last = exponent(c[order]);
-  double largest = -1000.0;
+  const double last = logarithm(c[order]) - kOff;
+  double largest = -1000.0 * kOne;
   for (std::size_t k = 1; k <= order; ++k) {
-    largest = std::max(largest, (exponent(c[order - k]) + 1.0 - last) / static_cast<double>(k));
+    largest = std::max(largest, (logarithm(c[order - k]) - last) / static_cast<double>(k));
   }
-  return std::ldexp(1.0, static_cast<int>(std::ceil(largest)) + 1);
+  largest = std::min(largest, 1000.0 * kOne);
+  return 2.0 * std::bit_cast<double>(static_cast<std::int64_t>(largest) + std::bit_cast<std::int64_t>(1.0));
 }
 
 }  // namespace firstlight::render

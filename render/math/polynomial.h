@@ -15,12 +15,14 @@ constexpr std::size_t kMostOrder = 40;
 ///          no root, if one does there is one, and else the interval is halved. [Lane and Riesenfeld, Bounds on a Polynomial,
 ///          1981] The coefficients are found anew of each interval, so they are as good as the curve's values there. No
 ///          root is lost or invented by cancellation, as happens to the closed formulas of Ferrari and Cardano: each
-///          end of an interval has one sign.
+///          end of an interval has one sign. That a quartic has no root at all its discriminant says.
 /// Cost     Bounded: roots that cannot be told apart after kMostHalvings count as one or as none.
 class PolynomialRoots {
  public:
   /// Pre: `c` outlives the search and has at most kMostOrder + 1 coefficients.
-  PolynomialRoots(std::span<const double> c, double low, double high);
+  PolynomialRoots(std::span<const double> c, double low, double high) : c_(c) {
+    if (c.size() > 1 && low < high) waiting_[waiting_count_++] = {low, high, 0.0, 0.0};
+  }
 
   /// The next root. False: there is none.
   bool next(double& root);
@@ -30,7 +32,7 @@ class PolynomialRoots {
 
   struct Interval {
     double begin, end;
-    double at_begin, at_end;  ///< values
+    double at_begin, at_end;  ///< values; of the whole they are found when it is looked at
   };
 
   template <class Order>
@@ -42,7 +44,7 @@ class PolynomialRoots {
   std::array<Interval, kMostHalvings + 1> waiting_;  ///< the first one last
 };
 
-/// No root is farther from 0. [Fujiwara, 1916; rounded up to a power of 2]
+/// No root is farther from 0. [Fujiwara, 1916; up to 1.2 times that]
 /// Pre: the last coefficient is not 0.
 double root_bound(std::span<const double> c);
 

@@ -255,13 +255,20 @@ void Solid::add_member_crossings(const Solid& member, const Ray& ray, std::uint8
   if (kind != Kind::union_ || !structure_->clips.empty()) turn_around(out, start);
 }
 
+/// Whether the ray reaches all that bounds the solid. `scratch` is returned as it came.
+bool Solid::reaches_bounds(const Ray& ray, std::uint8_t hidden_bit, std::vector<Crossing>& scratch) const {
+  const Structure& structure = *structure_;
+  for (std::size_t i = 0; i < structure.bounds.size(); ++i) {
+    if (!reaches(ray, structure.bounds[i], structure.bound_boxes[i], hidden_bit, scratch)) return false;
+  }
+  return true;
+}
+
 void Solid::crossings(const Ray& ray, std::uint8_t hidden_bit, std::vector<Crossing>& out) const {
   if (is_plain()) return add_shape_crossings(ray, out);
   if (Interrupt::asked()) return;
   const Structure& structure = *structure_;
-  for (std::size_t i = 0; i < structure.bounds.size(); ++i) {
-    if (!reaches(ray, structure.bounds[i], structure.bound_boxes[i], hidden_bit, out)) return;
-  }
+  if (!reaches_bounds(ray, hidden_bit, out)) return;
   const std::size_t first = out.size();
   if (kind == Kind::shape) add_shape_crossings(ray, out);
   const std::uint8_t hiding = kind == Kind::union_  ? kHidesInUnion & hidden_bit
@@ -291,7 +298,8 @@ void Solid::crossings(const Ray& ray, std::uint8_t hidden_bit, std::vector<Cross
 
 void Solid::nearest(const Ray& ray, std::uint8_t hidden_bit, double low, double high,
                     std::vector<Crossing>& out) const {
-  if (!is_plain()) return crossings(ray, hidden_bit, out);
+  if (kind != Kind::shape || !structure_->clips.empty()) return crossings(ray, hidden_bit, out);
+  if (!is_plain() && !reaches_bounds(ray, hidden_bit, out)) return;
   const std::size_t first = out.size();
   shape->nearest(ray, low, high, out);
   for (std::size_t i = first; i < out.size(); ++i) out[i].part = part;

@@ -86,6 +86,7 @@ class Solid {
   void add_shape_crossings(const Ray& ray, std::vector<Crossing>& out) const;
   void add_member_crossings(const Solid& member, const Ray& ray, std::uint8_t hidden_bit, std::uint8_t hiding,
                             std::vector<Crossing>& out) const;
+  bool reaches_bounds(const Ray& ray, std::uint8_t hidden_bit, std::vector<Crossing>& scratch) const;
   bool member_holds(std::size_t index, const Vec3& point) const;
   bool inside_all_members(const Vec3& point, const Solid* but) const;
   bool inside_any_member(const Vec3& point, const Solid* but, std::uint8_t hiding) const;

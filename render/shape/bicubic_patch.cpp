@@ -20,7 +20,7 @@ using Points = BicubicPatchParameters::Points;
 constexpr double kNearest = 1e-5;  ///< POV-Ray's for this shape
 /// No patch is cut more often either way: a side is then a millionth as long.
 constexpr int kMostSteps = 20;
-/// Up to so many halvings each way the pieces are made beforehand.
+/// Up to so many halvings each way the pieces are made beforehand; where that is not enough, the rest when a ray comes.
 constexpr int kMostStepsBefore = 6;
 
 Vec3 half(const Vec3& a, const Vec3& b) { return (a + b) * 0.5; }
@@ -29,6 +29,7 @@ Vec3 half(const Vec3& a, const Vec3& b) { return (a + b) * 0.5; }
 struct Piece {
   Points points;
   double u0 = 0.0, u1 = 1.0, v0 = 0.0, v1 = 1.0;
+  int depth = 0;  ///< how often it was halved each way, if there are so many steps
 
   /// The lower half along u, which the first index goes by; this becomes the upper.
   Piece take_left() {
@@ -157,42 +158,47 @@ class BicubicPatch final : public Shape {
   explicit BicubicPatch(const BicubicPatchParameters& parameters) : parameters_(parameters) {
     parameters_.u_steps = std::min(parameters_.u_steps, kMostSteps);
     parameters_.v_steps = std::min(parameters_.v_steps, kMostSteps);
-    if (std::max(parameters_.u_steps, parameters_.v_steps) > kMostStepsBefore) return;
     std::vector<Box3> boxes;
-    for_each_leaf(whole(), 0, [](const Piece&) { return true; }, [&](const Piece& piece) {
-      leaves_.push_back({{piece.points[0][0], piece.points[0][3], piece.points[3][3], piece.points[3][0]},
-                         piece.u0, piece.u1, piece.v0, piece.v1});
-      Box3& box = boxes.emplace_back();
-      for (const Vec3& corner : leaves_.back().corners) box.extendBy(corner);
+    std::vector<Box3> unfinished_boxes;
+    for_each_leaf(whole(), kMostStepsBefore, [](const Piece&) { return true; }, [&](const Piece& piece) {
+      if (is_leaf(piece)) {
+        const Leaf& leaf = leaves_.emplace_back(piece);
+        Box3& box = boxes.emplace_back();
+        for (const Vec3& corner : leaf.corners) box.extendBy(corner);
+      } else {
+        unfinished_.push_back(piece);
+        unfinished_boxes.push_back(piece.box());
+      }
     });
+    boxes.insert(boxes.end(), unfinished_boxes.begin(), unfinished_boxes.end());
     tree_ = RayTree(boxes);
   }
 
   void crossings(const Ray& ray, std::vector<Crossing>& out) const override {
-    if (leaves_.empty()) {
-      const auto is_near = [&](const Piece& piece) { return meets(ray, padded(piece.box(), 1e-9, 1e-12)); };
-      for_each_leaf(whole(), 0, is_near, [&](const Piece& piece) {
-        meet({{piece.points[0][0], piece.points[0][3], piece.points[3][3], piece.points[3][0]},
-              piece.u0, piece.u1, piece.v0, piece.v1},
-             ray, out);
-      });
-      return;
-    }
-    tree_.walk(ray, std::numeric_limits<double>::infinity(),
-               [&](std::uint32_t leaf) { meet(leaves_[leaf], ray, out); });
+    tree_.walk(ray, std::numeric_limits<double>::infinity(), [&](std::uint32_t place) { meet(place, ray, out); });
+  }
+  void nearest(const Ray& ray, double low, double high, std::vector<Crossing>& out) const override {
+    std::size_t seen = out.size();
+    tree_.walk(ray, high, [&](std::uint32_t place) {
+      meet(place, ray, out);
+      for (; seen < out.size(); ++seen) {
+        if (out[seen].depth > low) high = std::min(high, out[seen].depth);
+      }
+    });
   }
   bool inside(const Vec3&) const override { return false; }
   /// Interpolated between those of the corners of the triangle that was met.
   Vec3 normal(const Vec3&, const Crossing& crossing) const override {
     const auto [u, v] = crossing.place;
-    const Piece piece = leaf_at(u, v);
+    const std::size_t place = crossing.face / 2;
+    const Leaf piece = place < leaves_.size() ? leaves_[place] : Leaf(leaf_at(u, v));
     const double along_u = (u - piece.u0) / (piece.u1 - piece.u0);
     const double along_v = (v - piece.v0) / (piece.v1 - piece.v0);
     const auto at = [&](double pu, double pv) { return normal_at(parameters_.points, pu, pv); };
     const Vec3 first = at(piece.u0, piece.v0);
     const Vec3 last = at(piece.u1, piece.v1);
     Vec3 n;
-    if (crossing.face == 0) {
+    if (crossing.face % 2 == 0) {
       n = first * (1.0 - along_v) + at(piece.u0, piece.v1) * (along_v - along_u) + last * along_u;
     } else {
       n = first * (1.0 - along_u) + last * along_v + at(piece.u1, piece.v0) * (along_u - along_v);
@@ -221,23 +227,31 @@ class BicubicPatch final : public Shape {
   struct Leaf {
     std::array<Vec3, 4> corners;  ///< at (u0, v0), (u0, v1), (u1, v1), (u1, v0)
     double u0, u1, v0, v1;
+
+    explicit Leaf(const Piece& piece)
+        : corners{piece.points[0][0], piece.points[0][3], piece.points[3][3], piece.points[3][0]},
+          u0(piece.u0),
+          u1(piece.u1),
+          v0(piece.v0),
+          v1(piece.v1) {}
   };
 
   Piece whole() const { return {parameters_.points}; }
   /// Whether a piece is not cut further.
-  bool is_leaf(const Piece& piece, int depth) const {
-    if (depth >= parameters_.u_steps && depth >= parameters_.v_steps) return true;
+  bool is_leaf(const Piece& piece) const {
+    if (piece.depth >= parameters_.u_steps && piece.depth >= parameters_.v_steps) return true;
     const double bend = piece.bend();
     return bend >= 0.0 && bend < parameters_.flatness;
   }
+  /// Of a piece, the leaves, and pieces that were halved `deepest` times each way.
   template <class IsWanted, class Visit>
-  void for_each_leaf(Piece piece, int depth, const IsWanted& is_wanted, const Visit& visit) const {
+  void for_each_leaf(Piece piece, int deepest, const IsWanted& is_wanted, const Visit& visit) const {
     if (!is_wanted(piece) || Interrupt::asked()) return;
-    if (is_leaf(piece, depth)) return visit(piece);
+    if (piece.depth >= deepest || is_leaf(piece)) return visit(piece);
+    const int depth = piece.depth++;
     const auto down = [&](Piece part) {
-      if (depth >= parameters_.v_steps) return for_each_leaf(part, depth + 1, is_wanted, visit);
-      for_each_leaf(part.take_bottom(), depth + 1, is_wanted, visit);
-      for_each_leaf(part, depth + 1, is_wanted, visit);
+      if (depth < parameters_.v_steps) for_each_leaf(part.take_bottom(), deepest, is_wanted, visit);
+      for_each_leaf(part, deepest, is_wanted, visit);
     };
     if (depth < parameters_.u_steps) down(piece.take_left());
     down(piece);
@@ -245,7 +259,8 @@ class BicubicPatch final : public Shape {
   /// The piece that holds a place.
   Piece leaf_at(double u, double v) const {
     Piece piece = whole();
-    for (int depth = 0; !is_leaf(piece, depth); ++depth) {
+    while (!is_leaf(piece)) {
+      const int depth = piece.depth++;
       if (depth < parameters_.u_steps) {
         const Piece left = piece.take_left();
         if (u < left.u1) piece = left;
@@ -257,21 +272,29 @@ class BicubicPatch final : public Shape {
     }
     return piece;
   }
-  void meet(const Leaf& leaf, const Ray& ray, std::vector<Crossing>& out) const {
+  /// What stands at a place of the tree.
+  void meet(std::uint32_t place, const Ray& ray, std::vector<Crossing>& out) const {
+    if (place < leaves_.size()) return meet(leaves_[place], 2 * place, ray, out);
+    const auto is_near = [&](const Piece& piece) { return meets(ray, padded(piece.box(), 1e-9, 1e-12)); };
+    for_each_leaf(unfinished_[place - leaves_.size()], kMostSteps, is_near,
+                  [&](const Piece& piece) { meet(Leaf(piece), 2 * place, ray, out); });
+  }
+  void meet(const Leaf& leaf, std::uint32_t face, const Ray& ray, std::vector<Crossing>& out) const {
     const double du = leaf.u1 - leaf.u0;
     const double dv = leaf.v1 - leaf.v0;
     TriangleHit hit;
     if (meet_triangle(ray, leaf.corners[0], leaf.corners[1], leaf.corners[2], hit)) {
-      out.push_back({hit.depth, this, 0, 0, {leaf.u0 + hit.b * du, leaf.v0 + (hit.a + hit.b) * dv}});
+      out.push_back({hit.depth, this, 0, face, {leaf.u0 + hit.b * du, leaf.v0 + (hit.a + hit.b) * dv}});
     }
     if (meet_triangle(ray, leaf.corners[0], leaf.corners[2], leaf.corners[3], hit)) {
-      out.push_back({hit.depth, this, 0, 1, {leaf.u0 + (hit.a + hit.b) * du, leaf.v0 + hit.a * dv}});
+      out.push_back({hit.depth, this, 0, face + 1, {leaf.u0 + (hit.a + hit.b) * du, leaf.v0 + hit.a * dv}});
     }
   }
 
   BicubicPatchParameters parameters_;
-  std::vector<Leaf> leaves_;  ///< empty: pieces are made when a ray comes
-  RayTree tree_;
+  std::vector<Leaf> leaves_;
+  std::vector<Piece> unfinished_;
+  RayTree tree_;  ///< over the leaves, then the unfinished pieces
 };
 
 }  // namespace

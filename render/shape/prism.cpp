@@ -15,6 +15,7 @@ namespace {
 
 constexpr double kNearest = 1e-4;  ///< POV-Ray's for this shape
 constexpr double kRoom = 1e-9;     ///< relative: the search goes this much beyond a segment's rectangle
+constexpr double kFar = 1e100;     ///< half the size of a rectangle without end
 
 constexpr std::uint32_t kBase = 0xfffffffeu;
 constexpr std::uint32_t kCap = 0xffffffffu;
@@ -47,12 +48,33 @@ std::vector<ProfileSegment> segments_of(const PrismParameters& parameters) {
   return segments;
 }
 
+/// A rectangle in the plane of the curves.
+struct Rectangle {
+  Vec2 middle{0.0};
+  Vec2 half{kFar};
+
+  Rectangle() = default;
+  Rectangle(const Vec2& low, const Vec2& high, double room)
+      : middle((low + high) * 0.5), half((high - low) * 0.5 + Vec2(room)) {}
+
+  bool meets(const Rectangle& other) const {
+    return std::abs(middle.x - other.middle.x) <= half.x + other.half.x &&
+           std::abs(middle.y - other.middle.y) <= half.y + other.half.y;
+  }
+  /// Whether its corners lie on both sides of the line u x + v y + w = 0.
+  bool meets_line(const Vec3& line) const {
+    return std::abs(line.x * middle.x + line.y * middle.y + line.z) <=
+           std::abs(line.x) * half.x + std::abs(line.y) * half.y;
+  }
+};
+
 /// The swept curves in their own space. In the plane of the curves y stands for z.
 struct Prism {
   static constexpr bool kIsLarge = true;
   using Sweep = PrismParameters::Sweep;
 
   std::vector<ProfileSegment> segments;
+  std::vector<Rectangle> rectangles;  ///< about the segments, with room for rounding
   Vec2 low{kBoundless, kBoundless};  ///< a rectangle about the curves
   Vec2 high{-kBoundless, -kBoundless};
   double bottom;
@@ -76,6 +98,7 @@ struct Prism {
         low[axis] = std::min(low[axis], segment.low[axis]);
         high[axis] = std::max(high[axis], segment.high[axis]);
       }
+      rectangles.emplace_back(segment.low, segment.high, kRoom * (1.0 + size(segment.low) + size(segment.high)));
     }
   }
 
@@ -102,13 +125,14 @@ struct Prism {
       meet_cap(bottom, kBase);
     }
     if (!(std::abs(d.x) > kEpsilon || std::abs(d.z) > kEpsilon)) return;
+    // A line in the plane of the curves: u x + v y + w = 0. Of a cone it is where the plane through the ray and the tip
+    // cuts height 1.
+    Vec3 line(d.z, -d.x, d.x * p.z - d.z * p.x);
+    if (sweep == Sweep::conic) line = Vec3(p.z * d.y - p.y * d.z, p.y * d.x - p.x * d.y, p.x * d.z - p.z * d.x);
+    const Rectangle shadow = shadow_of(p, d);
     for (std::size_t i = 0; i < segments.size(); ++i) {
+      if (!rectangles[i].meets(shadow) || !rectangles[i].meets_line(line)) continue;
       const ProfileSegment& s = segments[i];
-      if (sweep == Sweep::linear && !passes(p, d, s)) continue;
-      // A line in the plane of the curves: u x + v y + w = 0. Of a cone it is where the plane through the ray and the tip
-      // cuts height 1.
-      Vec3 line(d.z, -d.x, d.x * p.z - d.z * p.x);
-      if (sweep == Sweep::conic) line = Vec3(p.z * d.y - p.y * d.z, p.y * d.x - p.x * d.y, p.x * d.z - p.z * d.x);
       const auto along = [&](const Vec2& v) { return line.x * v.x + line.y * v.y; };
       const std::array<double, 4> beside = {along(s.d) + line.z, along(s.c), along(s.b), along(s.a)};
       PolynomialRoots roots(beside, 0.0, 1.0);
@@ -155,14 +179,22 @@ struct Prism {
     for (const ProfileSegment& segment : segments) count += crossings_beside(segment, u, v);
     return count % 2 == 1;
   }
-  /// Whether the ray, seen from above, passes the segment's rectangle: its corners lie on both sides.
-  static bool passes(const Vec3& p, const Vec3& d, const ProfileSegment& s) {
-    const double room = kRoom * (1.0 + std::abs(p.x) + std::abs(p.z) + std::abs(s.high.x) + std::abs(s.low.x) +
-                                 std::abs(s.high.y) + std::abs(s.low.y));
-    const Vec2 middle = (s.low + s.high) * 0.5;
-    const Vec2 half = (s.high - s.low) * 0.5;
-    const double beside = (middle.x - p.x) * d.z - (middle.y - p.z) * d.x;
-    return std::abs(beside) <= half.x * std::abs(d.z) + half.y * std::abs(d.x) + room;
+  static double size(const Vec2& v) { return std::abs(v.x) + std::abs(v.y); }
+  /// About what of the ray lies between the heights of the prism, in the plane of the curves.
+  Rectangle shadow_of(const Vec3& p, const Vec3& d) const {
+    if (!(std::abs(d.y) > kEpsilon) || (sweep == Sweep::conic && !(bottom * top > 0.0))) return {};
+    const double t1 = (bottom - p.y) / d.y;
+    const double t2 = (top - p.y) / d.y;
+    Vec2 a(p.x + t1 * d.x, p.z + t1 * d.z);
+    Vec2 b(p.x + t2 * d.x, p.z + t2 * d.z);
+    double room = size(Vec2(p.x, p.z)) + size(a) + size(b);
+    if (sweep == Sweep::conic) {
+      a /= bottom;
+      b /= top;
+      room /= std::min(std::abs(bottom), std::abs(top));
+    }
+    return Rectangle(Vec2(std::min(a.x, b.x), std::min(a.y, b.y)), Vec2(std::max(a.x, b.x), std::max(a.y, b.y)),
+                     kRoom * (1.0 + room));
   }
   /// The depth at which the ray meets the place of a curve. False: it runs along it.
   bool depth_at(const Vec2& place, const Vec3& p, const Vec3& d, double& t) const {
