@@ -1,50 +1,43 @@
 #pragma once
 
-#include "app/desk.h"
 #include "app/progress.h"
-#include "app/snapshots.h"
 #include "priority/observer.h"
 #include "priority/steering.h"
 
 #include <utility>
+#include <vector>
 
 namespace firstlight::app {
 
-/// All who want to know how far the picture is: the progress line, those who steer, and the snapshots, if there are
-/// any.
+/// All who want to know how far the picture is. They are told in their order.
 class Audience final : public priority::Observer {
  public:
-  /// `write`: of the pictures that those who steer want to have saved.
-  Audience(ProgressLine& line, const priority::Steering& steering, Desk& desk, Desk::Write write)
-      : line_(line), steering_(steering), desk_(desk), write_(std::move(write)) {}
+  explicit Audience(std::vector<priority::Observer*> members) : members_(std::move(members)) {}
 
-  /// Takes snapshots from now on.
-  void take_snapshots(Snapshots& snapshots) { snapshots_ = &snapshots; }
+  void progress(const priority::Progress& progress) override { tell(&Observer::progress, progress); }
+  void key_changed(const priority::Progress& progress) override { tell(&Observer::key_changed, progress); }
+  void preview(const priority::Progress& progress) override { tell(&Observer::preview, progress); }
+  void first_image(const priority::Progress& progress) override { tell(&Observer::first_image, progress); }
+  void save(const priority::Progress& progress) override { tell(&Observer::save, progress); }
+  void checkpoint(const priority::Progress& progress) override { tell(&Observer::checkpoint, progress); }
 
-  void progress(const priority::Progress& progress) override {
-    desk_.publish(progress);
-    line_.progress(progress, steering_.paused());
+ private:
+  void tell(void (Observer::*what)(const priority::Progress&), const priority::Progress& progress) {
+    for (Observer* const member : members_) (member->*what)(progress);
   }
-  void key_changed(const priority::Progress& progress) override {
-    if (snapshots_ != nullptr) snapshots_->key_changed(progress);
-  }
-  void preview(const priority::Progress& progress) override {
-    if (snapshots_ != nullptr) snapshots_->preview(progress);
-  }
-  void first_image(const priority::Progress& progress) override {
-    if (snapshots_ != nullptr) snapshots_->first_image(progress);
-  }
-  void save(const priority::Progress& progress) override {
-    desk_.publish(progress);
-    desk_.serve(write_);
-  }
+
+  std::vector<priority::Observer*> members_;
+};
+
+/// The one who looks at the progress line.
+class LineReader final : public priority::Observer {
+ public:
+  LineReader(ProgressLine& line, const priority::Steering& steering) : line_(line), steering_(steering) {}
+  void progress(const priority::Progress& progress) override { line_.progress(progress, steering_.paused()); }
 
  private:
   ProgressLine& line_;
   const priority::Steering& steering_;
-  Desk& desk_;
-  Desk::Write write_;
-  Snapshots* snapshots_ = nullptr;
 };
 
 }  // namespace firstlight::app

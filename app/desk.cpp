@@ -4,7 +4,7 @@
 
 namespace firstlight::app {
 
-void Desk::publish(const priority::Progress& progress) {
+void Desk::progress(const priority::Progress& progress) {
   const std::lock_guard lock(mutex_);
   latest_ = progress;
 }
@@ -14,7 +14,12 @@ priority::Progress Desk::latest() const {
   return latest_;
 }
 
-std::string Desk::save(const std::string& file) {
+void Desk::save(const priority::Progress& progress) {
+  this->progress(progress);
+  serve();
+}
+
+std::string Desk::save_to(const std::string& file) {
   auto wish = std::make_shared<Wish>();
   wish->file = file;
   std::unique_lock lock(mutex_);
@@ -26,14 +31,14 @@ std::string Desk::save(const std::string& file) {
   return wish->done ? wish->problem : "the rendering has ended";
 }
 
-void Desk::serve(const Write& write) {
+void Desk::serve() {
   std::vector<std::shared_ptr<Wish>> wishes;
   {
     const std::lock_guard lock(mutex_);
     wishes = std::exchange(wishes_, {});
   }
   for (const auto& wish : wishes) {
-    std::string problem = write(wish->file);
+    std::string problem = write_(wish->file);
     const std::lock_guard lock(mutex_);
     wish->problem = std::move(problem);
     wish->done = true;

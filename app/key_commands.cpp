@@ -68,7 +68,7 @@ std::string KeyCommands::press(char key) {
       steering_.stop();
       return "stopping; the picture is written as it is";
     case 's': {
-      const std::string problem = desk_.save({});
+      const std::string problem = desk_.save_to({});
       return problem.empty() ? "the picture is saved as it is" : "not saved: " + problem;
     }
     case 'd':

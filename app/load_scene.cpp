@@ -1,8 +1,8 @@
 #include "app/load_scene.h"
 
+#include "app/exit_code.h"
 #include "app/output.h"
 #include "app/raw_terminal.h"
-#include "app/render_command.h"
 #include "app/repeats.h"
 
 #include <fmt/format.h>
@@ -21,16 +21,14 @@ namespace {
 /// no picture to be lost, and what is long is not only reading: to build a scene, or to free a million objects.
 class Patience {
  public:
-  explicit Patience(const std::atomic<bool>* stop) {
-    if (stop != nullptr) thread_ = std::thread([this, stop] { watch(*stop); });
-  }
+  explicit Patience(const std::atomic<bool>& stop) : thread_([this, &stop] { watch(stop); }) {}
   ~Patience() {
     {
       const std::lock_guard lock(mutex_);
       over_ = true;
     }
     changed_.notify_all();
-    if (thread_.joinable()) thread_.join();
+    thread_.join();
   }
   Patience(const Patience&) = delete;
   Patience& operator=(const Patience&) = delete;
@@ -55,7 +53,7 @@ class Patience {
 }  // namespace
 
 render::LoadResult load_scene(const Options& options, const render::FrontEnd& front_end, ProgressLine& line,
-                              const std::atomic<bool>* stop) {
+                              const std::atomic<bool>& stop) {
   render::LoadOptions load;
   load.width = options.width;
   load.height = options.height;
@@ -77,7 +75,7 @@ render::LoadResult load_scene(const Options& options, const render::FrontEnd& fr
     own ? say_piece(diagnostic.message) : say(render::format(diagnostic));
   };
   load.report = show;
-  load.stop = stop;
+  load.stop = &stop;
   load.progress = [&](const render::ParseProgress& progress) {
     line.stage(fmt::format("reading {}:{}, {} words, {} objects", progress.file, progress.line,
                            short_count(progress.tokens), short_count(progress.objects)));

@@ -8,9 +8,9 @@
 
 namespace firstlight::app {
 
-/// Reads the scene and shows on the error stream what the front end has to say about it. It ends soon when `stop`,
-/// which may be null, becomes true.
+/// Reads the scene and shows on the error stream what the front end has to say about it. It ends soon when `stop`
+/// becomes true.
 render::LoadResult load_scene(const Options& options, const render::FrontEnd& front_end, ProgressLine& line,
-                              const std::atomic<bool>* stop = nullptr);
+                              const std::atomic<bool>& stop);
 
 }  // namespace firstlight::app

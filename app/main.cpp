@@ -1,4 +1,5 @@
 #include "app/compare/command.h"
+#include "app/exit_code.h"
 #include "app/heap.h"
 #include "app/options.h"
 #include "app/output.h"
@@ -64,14 +65,6 @@ void watch_signals() {
   sigaction(SIGXFSZ, &action, nullptr);
 }
 
-/// What the program was run for. Returns the exit code.
-int print(const std::string& result) {
-  const std::string problem = firstlight::app::print_result(result);
-  if (problem.empty()) return 0;
-  firstlight::app::say_error(problem);
-  return firstlight::app::kExitFailure;
-}
-
 int run(std::vector<std::string> arguments, std::chrono::steady_clock::time_point start) {
   using firstlight::app::CommandLine;
   if (!arguments.empty() && arguments[0] == "steer") {
@@ -88,9 +81,9 @@ int run(std::vector<std::string> arguments, std::chrono::steady_clock::time_poin
   const CommandLine line = firstlight::app::parse_command_line(arguments);
   switch (line.wish) {
     case CommandLine::Wish::help:
-      return print(firstlight::app::help_text());
+      return firstlight::app::print(firstlight::app::help_text());
     case CommandLine::Wish::version:
-      return print(fmt::format("firstlight {}\n", firstlight::app::kVersion));
+      return firstlight::app::print(fmt::format("firstlight {}\n", firstlight::app::kVersion));
     case CommandLine::Wish::render:
       break;
   }

@@ -1,10 +1,8 @@
 #include "app/parse_command.h"
 
-#include "app/front_ends.h"
-#include "app/load_scene.h"
-#include "app/output.h"
+#include "app/exit_code.h"
 #include "app/progress.h"
-#include "app/render_command.h"
+#include "app/session.h"
 #include "render/scene/escaped.h"
 
 #include <fmt/format.h>
@@ -46,23 +44,17 @@ std::string to_json(const std::string& scene, const render::SceneSummary& summar
 }
 
 int parse_command(const Options& options, const std::atomic<bool>& stop) {
-  const ChosenFrontEnd front_end(options.front_end);
-  if (!front_end.error().empty()) {
-    say_error(front_end.error());
-    return kExitFailure;
-  }
   ProgressLine line(options.quiet);
-  line.stage("reading the scene");
-  const render::LoadResult loaded = load_scene(options, *front_end, line, &stop);
+  Session session(options, line, stop);
+  if (!session.error().empty()) return fail(session.error());
+  const bool is_loaded = session.load();
   line.clear();
-  if (loaded.scene == nullptr) return stop ? kExitInterrupted : kExitFailure;
-  const std::string text =
-      options.json ? to_json(options.scene, loaded.summary) : to_text(options.scene, loaded.summary);
-  const std::string problem = print_result(text);
-  if (!problem.empty()) say_error(problem);
+  if (!is_loaded) return session.exit_code();
+  const int code =
+      print(options.json ? to_json(options.scene, session.summary()) : to_text(options.scene, session.summary()));
   // To take a scene of many objects apart needs a good part of the time that reading it does, and the process is at its
   // end.
-  std::_Exit(problem.empty() ? EXIT_SUCCESS : kExitFailure);
+  std::_Exit(code);
 }
 
 }  // namespace firstlight::app

@@ -1,38 +1,29 @@
 #include "app/render_command.h"
 
-#include "app/antialias.h"
 #include "app/audience.h"
 #include "app/boost_text.h"
 #include "app/cockpit.h"
 #include "app/ending.h"
-#include "app/front_ends.h"
-#include "app/load_scene.h"
+#include "app/exit_code.h"
 #include "app/memory_size.h"
 #include "app/output.h"
 #include "app/picture_file.h"
-#include "app/progress.h"
+#include "app/session.h"
 #include "app/snapshots.h"
 #include "app/stats.h"
-#include "parser/function_text.h"
-#include "parser/parser.h"
-#include "priority/driver.h"
+#include "app/steer_server.h"
+#include "app/terminal_keys.h"
 #include "priority/order.h"
-#include "render/accel/accel.h"
 #include "render/image/link_target.h"
-#include "render/math/interrupt.h"
-#include "render/scene/scene.h"
-#include "render/scene/scene_index.h"
-#include "render/trace/medium_table.h"
 #include "render/trace/radiance_bound.h"
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <filesystem>
 #include <memory>
 #include <optional>
-#include <thread>
 #include <utility>
+#include <vector>
 
 namespace firstlight::app {
 namespace {
@@ -43,15 +34,8 @@ double seconds_between(Clock::time_point begin, Clock::time_point end) {
   return std::chrono::duration<double>(end - begin).count();
 }
 
-int fail(const std::string& why) {
-  say_error(why);
-  return kExitFailure;
-}
-
-int interrupted(Clock::time_point start) {
-  say(fmt::format("firstlight: interrupted after {}; no picture written",
-                  short_time(seconds_between(start, Clock::now()))));
-  return kExitInterrupted;
+int interrupted_since(Clock::time_point start) {
+  return interrupted(fmt::format(" after {}; no picture written", short_time(seconds_between(start, Clock::now()))));
 }
 
 /// Where files are to be written, before hours are spent on what goes into them. Empty, or what is wrong.
@@ -89,17 +73,33 @@ std::optional<priority::Order> read_order(const Options& options, const priority
   return order;
 }
 
-priority::TraceOptions trace_options(const Options& options, const Stats& stats, const std::atomic<bool>& stop) {
-  priority::TraceOptions out;
-  out.threads = stats.threads;
-  out.queue_memory = stats.queue_memory;
-  out.stop = &stop;
-  out.stop_at_error = options.stop_at_error;
-  out.stop_after = options.stop_after;
+/// Who steers from elsewhere, as `options.steer` says. `problem` says why that cannot be.
+std::vector<std::unique_ptr<Control>> open_controls(const Options& options, std::string& problem) {
+  std::vector<std::unique_ptr<Control>> controls;
+  if (options.steer.empty()) return controls;
+  controls.push_back(SteerServer::open(options.steer, problem));
+  if (!problem.empty()) problem = "--steer: " + problem;
+  return controls;
+}
+
+priority::TraceOptions trace_options(const Options& options, const Session& session) {
+  priority::TraceOptions out = session.trace_options();
+  if (options.queue_memory == 0) out.queue_memory = default_queue_memory();
   return out;
 }
 
-void take_over(const priority::TraceResult& traced, Clock::time_point start, Stats& stats) {
+Stats stats_of(const Options& options, const Session& session, const priority::TraceOptions& tracing,
+               const priority::TraceResult& traced, Clock::time_point start) {
+  Stats stats;
+  stats.scene = options.scene;
+  stats.scheme = tracing.steering->order().text();
+  stats.threads = tracing.threads;
+  stats.width = options.width;
+  stats.height = options.height;
+  stats.queue_memory = tracing.queue_memory;
+  stats.parse = session.parse_seconds();
+  stats.build = session.build_seconds();
+  stats.remaining_is_bound = render::RadianceBound(session.scene()).known();
   stats.rays = traced.statistics;
   stats.trace = traced.statistics.seconds;
   stats.end = traced.end;
@@ -108,88 +108,62 @@ void take_over(const priority::TraceResult& traced, Clock::time_point start, Sta
   };
   stats.preview = since_start(traced.statistics.preview);
   stats.first_image = since_start(traced.statistics.first_image);
+  return stats;
 }
 
 }  // namespace
 
 int render_command(const Options& options, Clock::time_point start, const std::atomic<bool>& stop) {
-  const render::Interrupt interrupt(stop);
   const std::string picture = picture_path(options);
-  if (const std::string problem = check_outputs(options, picture); !problem.empty()) return fail(problem);
-
-  std::string problem;
-  // Declared before everything the scene is kept in: the module has to live longer than its scene.
-  const ChosenFrontEnd front_end(options.front_end);
-  if (!front_end.error().empty()) return fail(front_end.error());
-  std::unique_ptr<SteerServer> server;
-  if (!options.steer.empty()) {
-    server = SteerServer::open(options.steer, problem);
-    if (server == nullptr) return fail("--steer: " + problem);
-  }
+  std::string problem = check_outputs(options, picture);
+  if (!problem.empty()) return fail(problem);
   ProgressLine line(options.quiet);
-  Stats stats;
-  stats.scene = options.scene;
-  stats.scheme = options.scheme;
-  const int processors = static_cast<int>(std::max(1u, std::thread::hardware_concurrency()));
-  stats.threads = options.threads > 0 ? options.threads : processors;
-  stats.width = options.width;
-  stats.height = options.height;
-  stats.queue_memory = options.queue_memory > 0 ? options.queue_memory : default_queue_memory();
+  Session session(options, line, stop);
+  if (!session.error().empty()) return fail(session.error());
+  std::vector<std::unique_ptr<Control>> controls = open_controls(options, problem);
+  if (!problem.empty()) return fail(problem);
 
-  line.stage("reading the scene");
-  const auto parse_begin = Clock::now();
-  const render::LoadResult loaded = load_scene(options, *front_end, line, &stop);
-  stats.parse = seconds_between(parse_begin, Clock::now());
-  if (loaded.scene == nullptr) return stop ? kExitInterrupted : kExitFailure;
-  const render::Scene& scene = *loaded.scene;
-  stats.remaining_is_bound = render::RadianceBound(scene).known();
+  if (!session.load()) return session.exit_code();
   render::Film film(options.width, options.height);
-  std::optional<priority::Order> order = read_order(
-      options, {render::index_of(scene), options.width, options.height, parser::compile_text, &film}, problem);
+  std::optional<priority::Order> order = read_order(options, session.scheme_input(&film), problem);
   if (!order) {
     say_error_in_lines(problem);
     return kExitFailure;
   }
+  if (stop) return interrupted_since(start);
+  session.build();
+  if (stop) return interrupted_since(start);
 
-  if (stop) return interrupted(start);
-
-  line.stage("building the hierarchy");
-  const auto build_begin = Clock::now();
-  const render::Accel accel(scene);
-  stats.build = seconds_between(build_begin, Clock::now());
-  if (stop) return interrupted(start);
-
-  render::MediumTable media;
   const auto write = [&](const std::string& file) -> std::string {
     if (file.empty() && !options.write_picture) return "no picture is to be written (-F)";
-    return write_film(file.empty() ? picture : file, film, scene.settings);
+    return session.write(file.empty() ? picture : file, film);
   };
   priority::Steering steering(std::move(*order));
-  Desk desk(steering);
-  Audience audience(line, steering, desk, write);
+  Desk desk(steering, write);
+  LineReader line_reader(line, steering);
+  std::vector<priority::Observer*> observers{&desk, &line_reader};
   std::optional<Snapshots> snapshots;
   if (!options.snapshots_folder.empty()) {
-    snapshots.emplace(options.snapshots_folder, film, scene.settings);
+    snapshots.emplace(options.snapshots_folder, film, session.scene().settings);
     if (!snapshots->error().empty()) return fail(snapshots->error());
-    audience.take_snapshots(*snapshots);
+    observers.push_back(&*snapshots);
   }
-  priority::TraceOptions tracing = trace_options(options, stats, stop);
-  const std::optional<render::AntialiasSettings> antialias = antialias_of(options, scene.settings);
-  if (antialias) tracing.antialias = &*antialias;
+  Audience audience(std::move(observers));
+  priority::TraceOptions tracing = trace_options(options, session);
   tracing.steering = &steering;
   tracing.observer = &audience;
+  const bool keys = !options.quiet && options.steer != "-" && line.is_shown() && RawTerminal::exists();
+  if (keys) controls.push_back(std::make_unique<TerminalKeys>(line));
   priority::TraceResult traced;
   {
-    const bool keys = !options.quiet && options.steer != "-" && line.is_shown() && RawTerminal::exists();
-    const Cockpit cockpit(steering, desk, line, std::move(server), keys);
-    traced = priority::trace({scene, accel, media}, film, tracing);
-    desk.serve(write);  // who asked in the last moment
+    const Cockpit cockpit(steering, desk, std::move(controls));
+    traced = session.trace(film, tracing);
+    desk.serve();  // who asked in the last moment
   }
   line.clear();
   if (!traced.error.empty()) return fail(traced.error);
-  if (stop && !traced.complete()) return interrupted(start);
-  take_over(traced, start, stats);
-  stats.scheme = steering.order().text();
+  if (stop && !traced.complete()) return interrupted_since(start);
+  Stats stats = stats_of(options, session, tracing, traced, start);
 
   // The picture first: what goes wrong with the rest costs an exit code, no more.
   if (options.write_picture) {

@@ -7,9 +7,6 @@
 
 namespace firstlight::app {
 
-constexpr int kExitFailure = 1;
-constexpr int kExitInterrupted = 130;  ///< as a shell reports a program ended by Ctrl-C
-
 /// Renders what the options ask for and says on the error stream how it went. `start`: of the process. `stop` becomes
 /// true when the user wants an end. Returns the exit code.
 int render_command(const Options& options, std::chrono::steady_clock::time_point start, const std::atomic<bool>& stop);

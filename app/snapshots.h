@@ -14,14 +14,14 @@ namespace firstlight::app {
 /// Writes intermediate pictures to a folder, with an index of when each was taken: the first whole picture, the one in
 /// which every pixel has its first light, one whenever the key of the rays that leave the queue has changed (a few a
 /// second at most), and the finished picture.
-class Snapshots {
+class Snapshots final : public priority::Observer {
  public:
   /// The folder is made when it is missing.
   Snapshots(std::string folder, const render::Film& film, const render::Settings& settings);
 
-  void preview(const priority::Progress& progress) { take("preview", progress); }
-  void first_image(const priority::Progress& progress) { take("first-image", progress); }
-  void key_changed(const priority::Progress& progress);
+  void preview(const priority::Progress& progress) override { take("preview", progress); }
+  void first_image(const priority::Progress& progress) override { take("first-image", progress); }
+  void key_changed(const priority::Progress& progress) override;
   /// The picture after tracing.
   void finished(const priority::TraceStatistics& statistics);
 

@@ -1,8 +1,8 @@
 #include "app/steer_client.h"
 
+#include "app/exit_code.h"
 #include "app/local_socket.h"
 #include "app/output.h"
-#include "app/render_command.h"
 
 #include <fmt/format.h>
 #include <sys/socket.h>
@@ -54,11 +54,6 @@ class Line {
 };
 
 bool is_blank(std::string_view text) { return text.find_first_not_of(" \t\r\n\f\v") == std::string_view::npos; }
-
-int fail(const std::string& why) {
-  say_error(why);
-  return kExitFailure;
-}
 
 /// One command and its answer. Returns false when the other end has gone.
 bool ask(Line& line, const std::string& command, bool& refused) {

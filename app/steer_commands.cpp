@@ -123,7 +123,7 @@ std::string SteerCommands::stop(std::string_view) {
   return outcome({});
 }
 
-std::string SteerCommands::save(std::string_view text) { return outcome(desk_.save(std::string(text))); }
+std::string SteerCommands::save(std::string_view text) { return outcome(desk_.save_to(std::string(text))); }
 
 std::string SteerCommands::status(std::string_view) { return outcome({}, status_json(desk_.latest(), steering_)); }
 

@@ -29,12 +29,12 @@ SteerServer::~SteerServer() {
   thread_.join();
 }
 
-void SteerServer::start(SteerCommands& commands) {
+void SteerServer::start(priority::Steering& steering, Desk& desk) {
   if (!listener_) connections_.emplace_back(STDIN_FILENO, STDOUT_FILENO);
-  thread_ = std::thread([this, &commands] { run(commands); });
+  thread_ = std::thread([this, commands = SteerCommands(steering, desk)] { run(commands); });
 }
 
-void SteerServer::run(SteerCommands& commands) {
+void SteerServer::run(SteerCommands commands) {
   block_signals();  // a reader who has gone shall be an error, not the end of the program
   std::vector<pollfd> waiting;
   for (bool ending = false; !ending;) {

@@ -7,7 +7,6 @@
 
 #include <array>
 #include <string_view>
-#include <utility>
 
 namespace firstlight::app {
 namespace {
@@ -17,21 +16,25 @@ constexpr int kRefreshMilliseconds = 250;
 
 }  // namespace
 
-TerminalKeys::TerminalKeys(KeyCommands commands, ProgressLine& line)
-    : commands_(std::move(commands)), line_(line), thread_([this] { run(); }) {}
+void TerminalKeys::start(priority::Steering& steering, Desk& desk) {
+  line_.set_hint("? for keys");
+  terminal_.emplace();
+  thread_ = std::thread([this, commands = KeyCommands(steering, desk)] { run(commands); });
+}
 
 TerminalKeys::~TerminalKeys() {
+  if (!thread_.joinable()) return;
   end_.ring();
   thread_.join();
 }
 
-void TerminalKeys::run() {
+void TerminalKeys::run(KeyCommands commands) {
   block_signals();
   std::array<pollfd, 2> waiting{{{end_.readable(), POLLIN, 0}, {STDIN_FILENO, POLLIN, 0}}};
   while (true) {
     const int ready = ::poll(waiting.data(), waiting.size(), kRefreshMilliseconds);
     if (ready > 0 && waiting[0].revents != 0) return;
-    terminal_.refresh();
+    terminal_->refresh();
     if (ready <= 0 || waiting[1].revents == 0) continue;
     std::array<char, 64> buffer;
     const ssize_t count = ::read(STDIN_FILENO, buffer.data(), buffer.size());
@@ -41,7 +44,7 @@ void TerminalKeys::run() {
       continue;
     }
     for (const char key : std::string_view(buffer.data(), static_cast<std::size_t>(count))) {
-      if (const std::string text = commands_.press(key); !text.empty()) line_.note(text);
+      if (const std::string text = commands.press(key); !text.empty()) line_.note(text);
     }
   }
 }

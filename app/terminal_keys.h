@@ -1,28 +1,31 @@
 #pragma once
 
+#include "app/control.h"
 #include "app/key_commands.h"
 #include "app/progress.h"
 #include "app/raw_terminal.h"
 #include "app/wake_up.h"
 
+#include <optional>
 #include <thread>
 
 namespace firstlight::app {
 
 /// Lets the one at the terminal steer a picture with single keys.
 /// Threads  One of its own.
-class TerminalKeys {
+class TerminalKeys final : public Control {
  public:
   /// What the keys do is told on `line`.
-  TerminalKeys(KeyCommands commands, ProgressLine& line);
-  ~TerminalKeys();
+  explicit TerminalKeys(ProgressLine& line) : line_(line) {}
+  ~TerminalKeys() override;
+
+  void start(priority::Steering& steering, Desk& desk) override;
 
  private:
-  void run();
+  void run(KeyCommands commands);
 
-  KeyCommands commands_;
   ProgressLine& line_;
-  RawTerminal terminal_;
+  std::optional<RawTerminal> terminal_;
   WakeUp end_;
   std::thread thread_;
 };

@@ -20,7 +20,7 @@ void add(render::Diagnostics& diagnostics, const render::LoadOptions& options, r
 
 render::SceneSummary summarize(const render::Scene& scene, const Interpreter& interpreter) {
   render::SceneSummary summary;
-  summary.objects = scene.solids.size() + scene.described;
+  summary.objects = scene.solids.size();
   summary.lights = scene.lights.size();
   summary.textures = scene.textures.size();
   summary.keywords = interpreter.keyword_counts();

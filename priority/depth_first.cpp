@@ -31,14 +31,15 @@ void DepthFirst::run(std::span<const render::RayTask> roots) {
 void trace_recursively(Frame& frame, render::Tracer& tracer, RayQueue& queue, std::size_t worker) {
   Tally tally;
   DepthFirst depth_first(frame, tracer, tally);
-  PrimaryOrder::Batch batch;
+  Roots roots;
   while (!queue.closed()) {
-    if (!frame.primaries().next(worker, batch)) {
+    if (!frame.roots().next(worker, roots)) {
       frame.report(tracer.counts(), tally);
-      queue.wait_and_pop(worker, [&frame] { return frame.primaries().refill(); });
+      queue.wait_and_pop(worker, [&frame] { return frame.refill(); });
       continue;
     }
-    for (std::size_t i = 0; i < batch.rays.tasks.size(); ++i) {
+    const render::PrimaryBatch& batch = roots.rays;
+    for (std::size_t i = 0; i < batch.tasks.size(); ++i) {
       if (frame.wants_rest()) {
         frame.report(tracer.counts(), tally);
         frame.rest();
@@ -47,7 +48,7 @@ void trace_recursively(Frame& frame, render::Tracer& tracer, RayQueue& queue, st
         frame.report(tracer.counts(), tally);
         return frame.leave_unfinished();
       }
-      tracer.step_primary(std::span(batch.rays.tasks).subspan(i, 1), std::span(batch.rays.rays).subspan(i, 1));
+      tracer.step_primary(std::span(batch.tasks).subspan(i, 1), std::span(batch.rays).subspan(i, 1));
       if (render::Interrupt::seen()) {
         frame.report(tracer.counts(), tally);
         return frame.leave_unfinished();
@@ -55,8 +56,8 @@ void trace_recursively(Frame& frame, render::Tracer& tracer, RayQueue& queue, st
       frame.add(tracer.light(), tracer.counts(), tally);
       depth_first.run(tracer.spawned());
     }
-    frame.add_dark(batch.rays.dark, tally);
-    frame.lit(batch);
+    frame.add_rest(batch, tally);
+    frame.lit(roots);
   }
 }
 

@@ -28,7 +28,7 @@ class DepthFirst {
   std::vector<render::RayTask> stack_;
 };
 
-/// The traditional order, the baseline of all comparisons: pixel by pixel, each with its whole tree, depth first. The
+/// The traditional order, the baseline of all comparisons: root by root, each with its whole tree, depth first. The
 /// workers only meet at the `queue`, when there are no more pixels. `worker`: the number of the calling one.
 void trace_recursively(Frame& frame, render::Tracer& tracer, RayQueue& queue, std::size_t worker);
 

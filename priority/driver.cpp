@@ -3,6 +3,7 @@
 #include "priority/block_pool.h"
 #include "priority/depth_first.h"
 #include "priority/frame.h"
+#include "priority/picture.h"
 #include "priority/ray_queue.h"
 #include "priority/steering.h"
 #include "priority/worker.h"
@@ -73,9 +74,8 @@ TraceStatistics statistics_of(const Frame& frame, const Shared& shared, const st
 
 }  // namespace
 
-TraceResult trace(const render::TraceContext& context, render::Film& film, const TraceOptions& options) {
+TraceResult trace(const render::TraceContext& context, std::span<const Pass> passes, const TraceOptions& options) {
   TraceResult result;
-  const std::uint64_t samples = static_cast<std::uint64_t>(film.width()) * static_cast<std::uint64_t>(film.height());
   try {
     TraceOptions own = options;
     std::shared_ptr<const Scheme> first;
@@ -83,9 +83,8 @@ TraceResult trace(const render::TraceContext& context, render::Film& film, const
       first = options.steering->scheme();
       own.scheme = first.get();
     }
-    film.deal_out(own.threads);
-    Frame frame(context, film, own);
-    const auto shared = std::make_unique<Shared>(own, samples);
+    Frame frame(context, passes, own);
+    const auto shared = std::make_unique<Shared>(own, frame.samples());
     std::vector<render::RayCounts> counts(static_cast<std::size_t>(own.threads));
     {
       std::vector<std::jthread> threads;
@@ -103,11 +102,28 @@ TraceResult trace(const render::TraceContext& context, render::Film& film, const
     result.statistics = statistics_of(frame, *shared, counts);
     result.end = frame.end();
     result.error = frame.error();
+    const render::SceneIndex scene = render::index_of(context.scene);
+    result.statistics.worst_case_rays =
+        worst_case_rays(frame.samples(), most_feelers(scene.lights), scene.max_trace_level);
   } catch (const std::exception& exception) {
     result.error = reason_of(exception);
   }
-  const render::SceneIndex scene = render::index_of(context.scene);
-  result.statistics.worst_case_rays = worst_case_rays(samples, most_feelers(scene.lights), scene.max_trace_level);
+  return result;
+}
+
+TraceResult trace(const render::TraceContext& context, render::Film& film, const TraceOptions& options) {
+  TraceResult result;
+  try {
+    const bool has_queue = (options.steering != nullptr ? options.steering->scheme().get() : options.scheme) != nullptr;
+    film.deal_out(options.threads);
+    const Picture picture(
+        context, film,
+        has_queue ? render::PrimaryTiles::Order::coarse_to_fine : render::PrimaryTiles::Order::square_by_square,
+        options.antialias);
+    return trace(context, picture.passes(), options);
+  } catch (const std::exception& exception) {
+    result.error = reason_of(exception);
+  }
   return result;
 }
 

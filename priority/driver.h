@@ -2,6 +2,7 @@
 
 #include "priority/block_pool.h"
 #include "priority/observer.h"
+#include "priority/pass.h"
 #include "priority/ray_queue.h"
 #include "priority/scheme.h"
 #include "render/film/antialias.h"
@@ -15,6 +16,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <optional>
+#include <span>
 #include <string>
 
 namespace firstlight::priority {
@@ -36,7 +38,7 @@ struct TraceOptions {
   std::size_t queue_memory = 0;
   /// Rays in a full block; 0: as many as suit the memory.
   std::uint32_t block_size = 0;
-  /// Extra samples where contrast asks for them; null: none.
+  /// Of pictures: extra samples where contrast asks for them; null: none.
   const render::AntialiasSettings* antialias = nullptr;
   Observer* observer = nullptr;
   /// Rays between two checkpoints; 0: no checkpoints.
@@ -77,11 +79,14 @@ struct TraceResult {
   bool complete() const { return end == End::complete; }
 };
 
-/// Renders the whole picture into `film`, whose sums do not depend on scheme, threads, steering or memory.
+/// Traces the passes one after the other, with one queue, one progress and one steering. What the sinks sum up does not
+/// depend on scheme, threads, steering or memory.
 ///
-/// Order    always the rays of the highest key, to within one block a worker; primary rays are made when their turn
-///          comes, from a coarse grid to the finest.
+/// Order    always the rays of the highest key, to within one block a worker; roots are made when their turn comes. A
+///          pass begins when those before it are complete.
 /// Threads  `options.threads` workers; the calling thread only watches.
+TraceResult trace(const render::TraceContext& context, std::span<const Pass> passes, const TraceOptions& options);
+/// Renders a whole picture into `film`: primary rays from a coarse grid to the finest, then anti-aliasing.
 TraceResult trace(const render::TraceContext& context, render::Film& film, const TraceOptions& options);
 
 /// The most rays that could wait at once: m (2^(h+1) - 1) a sample for m lights (at least 1) and h levels; saturates.

@@ -14,11 +14,10 @@ constexpr std::chrono::milliseconds kProgressEvery{100};
 constexpr std::chrono::milliseconds kLookEvery{10};  // at aims, and at what the user asks for
 constexpr std::chrono::milliseconds kKeyChangeEvery{250};
 
-/// How many low bits a sum of `most` over all pixels has to leave out to stay within 64 bits; nearly always none.
-int bits_left_out(std::int64_t most, std::int64_t pixels) {
+/// How many low bits a sum of `most` over all samples has to leave out to stay within 64 bits; nearly always none.
+int bits_left_out(std::int64_t most, std::uint64_t samples) {
   constexpr int kRoom = 62;
-  const int bits =
-      std::bit_width(static_cast<std::uint64_t>(most)) + std::bit_width(static_cast<std::uint64_t>(pixels));
+  const int bits = std::bit_width(static_cast<std::uint64_t>(most)) + std::bit_width(samples);
   return std::max(0, bits - kRoom);
 }
 
@@ -33,24 +32,44 @@ render::RayTask primary_task() {
 
 }  // namespace
 
-Frame::Frame(const render::TraceContext& context, render::Film& film, const TraceOptions& options)
+Frame::Frame(const render::TraceContext& context, std::span<const Pass> passes, const TraceOptions& options)
     : context_(context),
       surfaces_(render::make_surfaces(context.scene)),
-      film_(film),
       options_(options),
       bound_(context.scene, context.camera()),
-      primaries_(context, film,
-                 options.scheme == nullptr ? render::PrimaryTiles::Order::square_by_square
-                                           : render::PrimaryTiles::Order::coarse_to_fine,
-                 options.antialias),
+      most_of_root_(bound_.at_stake(primary_task())),
       next_checkpoint_(options.checkpoint_rays),
       workers_(options.threads) {
-  const std::int64_t most = bound_.at_stake(primary_task());
-  film.expect(most);
-  const std::int64_t pixels = std::int64_t{film.width()} * film.height();
-  left_out_ = bits_left_out(most, pixels);
-  remaining_ = without_low_bits(most, left_out_) * pixels;
-  if (options.antialias != nullptr) look_at_refinement();
+  std::uint64_t counted = 0;
+  for (const auto& [source, sink] : passes) {
+    const auto same = std::ranges::find(stages_, sink, &Stage::sink);
+    if (same != stages_.end()) {
+      stages_.push_back({source, sink, same->is_counted});
+      continue;
+    }
+    sink->expect(most_of_root_);
+    const std::optional<double> told = sink->outstanding();
+    stages_.push_back({source, sink, /*is_counted=*/!told});
+    samples_ += sink->samples();
+    if (told) {
+      asked_.push_back(sink);
+      remaining_asked_ = remaining_asked_ + *told;
+    } else {
+      counted += sink->samples();
+    }
+  }
+  left_out_ = bits_left_out(most_of_root_, counted);
+  remaining_ = without_low_bits(most_of_root_, left_out_) * static_cast<std::int64_t>(counted);
+}
+
+bool Frame::refill() {
+  while (!roots().refill()) {
+    const std::size_t next = stage_.load(std::memory_order_relaxed) + 1;
+    if (next == stages_.size()) return false;
+    stage_.store(next, std::memory_order_relaxed);
+    if (roots().top() != kNoSlot) return true;
+  }
+  return true;
 }
 
 bool Frame::asked_to_stop() const {
@@ -60,22 +79,15 @@ bool Frame::asked_to_stop() const {
 
 bool Frame::paused() const { return options_.steering != nullptr && options_.steering->paused(); }
 
-void Frame::lit(const PrimaryOrder::Batch& batch) {
-  if (!batch.is_tile) return;
-  for (const render::RayTask& task : batch.rays.tasks) film_.mark_lit(task.sample);
-  for (const std::uint32_t sample : batch.rays.dark) film_.mark_lit(sample);
-  const render::PrimaryTiles& tiles = primaries_.tiles();
-  // Release and acquire: whoever sees the last tile sees the film with all primary light.
-  const bool all_coarse =
-      batch.is_coarse && coarse_tiles_lit_.fetch_add(1, std::memory_order_acq_rel) + 1 == tiles.coarse_count();
-  const bool all = tiles_lit_.fetch_add(1, std::memory_order_acq_rel) + 1 == tiles.count();
-  if (!all && !all_coarse) return;
+void Frame::lit(const Roots& roots) {
+  const RootSource::Reached reached = stage().source->lit(roots);
+  if (!reached.preview && !reached.first_image) return;
   const std::lock_guard lock(mutex_);
-  if (all_coarse) {
+  if (reached.preview) {
     preview_ = Clock::now();
     news_.preview = true;
   }
-  if (all) {
+  if (reached.first_image) {
     first_image_ = Clock::now();
     news_.first_image = true;
   }
@@ -84,19 +96,26 @@ void Frame::lit(const PrimaryOrder::Batch& batch) {
 
 void Frame::add(std::span<const render::Contribution> light, const render::RayCounts& counts, Tally& tally) {
   constexpr int kBatchesOfReport = 8;
-  film_.add(light);
-  for (const render::Contribution& contribution : light) tally.change += contribution.outstanding;
+  const Stage& now = stage();
+  now.sink->add(light);
+  if (now.is_counted) {
+    for (const render::Contribution& contribution : light) tally.change += contribution.outstanding;
+  }
   if (++tally.batches == kBatchesOfReport) report(counts, tally);
 }
 
-void Frame::add_dark(std::span<const std::uint32_t> samples, Tally& tally) {
-  if (samples.empty()) return;
-  const std::int64_t most = bound_.at_stake(primary_task());
+void Frame::add_rest(const render::PrimaryBatch& rays, Tally& tally) {
+  if (rays.dark.empty() && rays.shared.empty()) return;
   std::vector<render::Contribution> nothing;
-  nothing.reserve(samples.size());
-  for (const std::uint32_t sample : samples) nothing.push_back({sample, {}, -most});
-  film_.add(nothing);
-  tally.change -= most * static_cast<std::int64_t>(samples.size());
+  nothing.reserve(rays.dark.size() + rays.shared.size());
+  for (const std::uint32_t sample : rays.dark) nothing.push_back({sample, {}, -most_of_root_});
+  for (const auto& [ray, count] : rays.shared) {
+    nothing.push_back({ray.sample, {}, bound_.at_stake(ray) * count - most_of_root_});
+  }
+  const Stage& now = stage();
+  now.sink->add(nothing);
+  if (!now.is_counted) return;
+  for (const render::Contribution& contribution : nothing) tally.change += contribution.outstanding;
 }
 
 void Frame::report(const render::RayCounts& counts, Tally& tally) {
@@ -216,7 +235,7 @@ void Frame::watch(const RayQueue& queue, const BlockPool& pool) {
     }
     const News news = std::exchange(news_, {});
     lock.unlock();
-    if (options_.antialias != nullptr && Clock::now() >= next_progress) look_at_refinement();
+    if (Clock::now() >= next_progress) ask_sinks();
     stop_where_aims_are_reached();
     const Progress now = progress(queue, pool);
     if (news.preview) observer.preview(now);
@@ -236,8 +255,11 @@ void Frame::watch(const RayQueue& queue, const BlockPool& pool) {
 
 Progress Frame::progress(const RayQueue& queue, const BlockPool& pool) const {
   Progress progress;
-  progress.tiles_done = tiles_lit_.load(std::memory_order_relaxed);
-  progress.tiles = primaries_.tiles().count();
+  for (const Stage& stage : stages_) {
+    const RootSource::Extent extent = stage.source->extent();
+    progress.tiles_done += extent.lit;
+    progress.tiles += extent.all;
+  }
   progress.traced = traced();
   progress.rays_waiting = queue.waiting();
   progress.queue_bytes = pool.bytes();
@@ -248,19 +270,17 @@ Progress Frame::progress(const RayQueue& queue, const BlockPool& pool) const {
   return progress;
 }
 
-// Pixels that may get more samples are not what their waiting rays make of them, so each of them has to be asked.
-void Frame::look_at_refinement() {
+void Frame::ask_sinks() {
   double sum = 0.0;
-  for (int y = 0; y < film_.height(); ++y) {
-    for (int x = 0; x < film_.width(); ++x) sum += film_.outstanding(x, y);
-  }
-  refinement_remaining_ = sum;
+  for (const Sink* sink : asked_) sum += sink->outstanding().value_or(0.0);
+  remaining_asked_.store(sum, std::memory_order_relaxed);
 }
 
 double Frame::remaining() const {
-  const double pixels = static_cast<double>(film_.width()) * static_cast<double>(film_.height());
-  if (options_.antialias != nullptr) return refinement_remaining_.load(std::memory_order_relaxed) / pixels;
-  return std::ldexp(render::FixedRgb::to_double(remaining_.load(std::memory_order_relaxed)), left_out_) / pixels;
+  if (samples_ == 0) return 0.0;
+  const double counted =
+      std::ldexp(render::FixedRgb::to_double(remaining_.load(std::memory_order_relaxed)), left_out_);
+  return (counted + remaining_asked_.load(std::memory_order_relaxed)) / static_cast<double>(samples_);
 }
 
 double Frame::seconds() const {

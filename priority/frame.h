@@ -1,10 +1,8 @@
 #pragma once
 
 #include "priority/driver.h"
-#include "priority/primary_order.h"
+#include "priority/pass.h"
 #include "priority/ray_queue.h"
-#include "render/film/film.h"
-#include "render/trace/primary.h"
 #include "render/trace/radiance_bound.h"
 #include "render/trace/ray_counts.h"
 #include "render/trace/tracer.h"
@@ -13,12 +11,14 @@
 #include <atomic>
 #include <chrono>
 #include <condition_variable>
+#include <cstddef>
 #include <cstdint>
 #include <memory>
 #include <mutex>
 #include <optional>
 #include <span>
 #include <string>
+#include <vector>
 
 namespace firstlight::priority {
 
@@ -30,25 +30,32 @@ struct Tally {
   int batches = 0;             ///< since the last report
 };
 
-/// What the workers of one picture share: the primary rays still to begin, the film, how far it all is, and when to
-/// rest or to leave. Threads  All members may be called from any thread.
+/// What the workers share: the pass at hand, how far it all is, and when to rest or to leave.
+///
+/// Threads  All members may be called from any thread, but for refill().
 class Frame {
  public:
-  Frame(const render::TraceContext& context, render::Film& film, const TraceOptions& options);
+  /// Pre: at least one pass.
+  Frame(const render::TraceContext& context, std::span<const Pass> passes, const TraceOptions& options);
 
   const render::TraceContext& context() const { return context_; }
   const std::shared_ptr<const render::SurfaceTable>& surfaces() const { return surfaces_; }
-  PrimaryOrder& primaries() { return primaries_; }
+  /// Of the pass at hand.
+  RootSource& roots() const { return *stage().source; }
+  /// To be called when no ray waits and none is being traced. Whether there are roots again, of this pass or of the next.
+  bool refill();
+  /// Of all passes.
+  std::uint64_t samples() const { return samples_; }
 
-  /// To be called when the light of a batch of primary rays is on the film.
-  void lit(const PrimaryOrder::Batch& batch);
-  /// Adds to the film what a worker has traced; `counts` are all the rays it has traced so far.
+  /// To be called when the light of roots is in the sink.
+  void lit(const Roots& roots);
+  /// Adds to the sink what a worker has traced; `counts` are all the rays it has traced so far.
   void add(std::span<const render::Contribution> light, const render::RayCounts& counts, Tally& tally);
-  /// The same for samples that no primary ray lights.
-  void add_dark(std::span<const std::uint32_t> samples, Tally& tally);
+  /// The same for samples that no root lights, or several.
+  void add_rest(const render::PrimaryBatch& rays, Tally& tally);
   /// Light will be added to the tasks' samples soon.
   void expect_light(std::span<const render::RayTask> tasks) const {
-    for (const render::RayTask& task : tasks) film_.fetch(task.sample);
+    stage().sink->fetch(tasks);
   }
   /// Makes known what the tally still holds. To be called by a worker before it rests, waits or leaves.
   void report(const render::RayCounts& counts, Tally& tally);
@@ -91,6 +98,14 @@ class Frame {
     bool any() const { return preview || first_image || key_changed; }
   };
 
+  /// A pass.
+  struct Stage {
+    RootSource* source;
+    Sink* sink;
+    bool is_counted;  ///< what may still come is the sum over the waiting rays; else the sink is asked
+  };
+
+  const Stage& stage() const { return stages_[stage_.load(std::memory_order_relaxed)]; }
   bool asked_to_stop() const;
   bool paused() const;
   Progress progress(const RayQueue& queue, const BlockPool& pool) const;
@@ -98,27 +113,28 @@ class Frame {
   void hold_checkpoint(const Progress& progress, std::unique_lock<std::mutex>& lock);
   /// Until when to sleep before the next look at the aims. Pre: the lock is held.
   std::chrono::duration<double> look_after() const;
-  void look_at_refinement();
+  void ask_sinks();
   void stop_where_aims_are_reached();
   void end_with(End end);
 
   const render::TraceContext context_;
   const std::shared_ptr<const render::SurfaceTable> surfaces_;
-  render::Film& film_;
   const TraceOptions options_;
   const render::RadianceBound bound_;
-  PrimaryOrder primaries_;
+  const std::int64_t most_of_root_;  // that may come of it, in steps of FixedRgb
+  std::vector<Stage> stages_;
+  std::vector<const Sink*> asked_;  // for what may still come, each once
+  std::uint64_t samples_ = 0;
   const Clock::time_point begin_ = Clock::now();
   // Changed again and again, all that follows seldom: on lines of their own.
-  alignas(64) std::atomic<std::uint32_t> tiles_lit_ = 0;
-  std::atomic<std::uint32_t> coarse_tiles_lit_ = 0;
-  std::atomic<Key> key_ = kBuckets;                                     // none yet
+  alignas(64) std::atomic<Key> key_ = kBuckets;                         // none yet
   std::array<std::atomic<std::uint64_t>, render::kRayKinds> traced_{};  // by kind
   std::atomic<std::uint64_t> clear_ = 0;                                // of the feelers
   std::atomic<std::uint64_t> blocked_ = 0;                              // of the feelers, without being traced
-  std::atomic<std::int64_t> remaining_ = 0;                             // over all pixels, in steps of FixedRgb
+  std::atomic<std::int64_t> remaining_ = 0;                             // over what is counted, in steps of FixedRgb
   alignas(64) int left_out_ = 0;                                        // low bits that remaining_ is without
-  std::atomic<double> refinement_remaining_ = 0.0;  // over all pixels, with anti-aliasing; as of the last look
+  std::atomic<double> remaining_asked_ = 0.0;  // over the sinks that are asked; as of the last look
+  std::atomic<std::size_t> stage_ = 0;
   std::atomic<bool> stopped_ = false;
   std::atomic<bool> wants_key_change_ = false;
   std::atomic<bool> checkpoint_due_ = false;

@@ -21,15 +21,15 @@ Worker::Worker(Frame& frame, render::Tracer& tracer, Shared& shared, const Trace
       depth_first_(frame, tracer, tally_) {}
 
 void Worker::run() {
-  if (steering_ == nullptr) frame_.primaries().sort(*scheme_, 1);
+  if (steering_ == nullptr) frame_.roots().sort(*scheme_, version_ = 1);
   while (!frame_.stopped()) {
     if (frame_.wants_rest()) rest();
     follow_order();
     if (queue_.idle() > 0) open_.send_full();
     if (queue_.has_stale()) {
       rekey_block();
-    } else if (primaries_are_next()) {
-      trace_primaries();
+    } else if (roots_are_next()) {
+      trace_roots();
     } else if (const RayQueue::Popped next = next_block(); next.block != nullptr) {
       trace_blocks(next);
       if (queue_.starving()) open_.flush();
@@ -53,7 +53,7 @@ void Worker::follow_order() {
   scheme_ = steered_.get();
   open_.set_version(version_);
   queue_.begin_rekey(version_);
-  frame_.primaries().sort(*scheme_, version_);
+  frame_.roots().sort(*scheme_, version_);
 }
 
 void Worker::rekey_block() {
@@ -65,9 +65,9 @@ void Worker::rekey_block() {
   queue_.rekeyed(static_cast<std::uint32_t>(stale_.size()));
 }
 
-bool Worker::primaries_are_next() {
-  const int primaries = frame_.primaries().top();
-  if (primaries == kNoSlot) return false;
+bool Worker::roots_are_next() {
+  const int roots = frame_.roots().top();
+  if (roots == kNoSlot) return false;
   const int waiting = std::max(open_.top(), queue_.top());
   if (waiting == kNoSlot) return true;
   if (queue_is_long()) return false;
@@ -78,18 +78,18 @@ bool Worker::primaries_are_next() {
     if (used <= pool_.budget() / 2) shared_.is_short_of_memory.store(false, std::memory_order_relaxed);
     if (shared_.is_short_of_memory.load(std::memory_order_relaxed)) return false;
   }
-  return primaries >= waiting;
+  return roots >= waiting;
 }
 
-void Worker::trace_primaries() {
-  if (!frame_.primaries().next(number_, primaries_)) return;
-  frame_.expect_light(primaries_.rays.tasks);
-  tracer_.step_primary(primaries_.rays.tasks, primaries_.rays.rays);
+void Worker::trace_roots() {
+  if (!frame_.roots().next(number_, roots_)) return;
+  frame_.expect_light(roots_.rays.tasks);
+  tracer_.step_primary(roots_.rays.tasks, roots_.rays.rays);
   if (render::Interrupt::seen()) return;  // half a step is no part of the sum
   frame_.add(tracer_.light(), tracer_.counts(), tally_);
-  frame_.add_dark(primaries_.rays.dark, tally_);
-  scheme_->learn(primaries_.rays.tasks, tracer_.light(), tracer_.spawned());
-  frame_.lit(primaries_);
+  frame_.add_rest(roots_.rays, tally_);
+  scheme_->learn(roots_.rays.tasks, tracer_.light(), tracer_.spawned());
+  frame_.lit(roots_);
   keep_spawned(0);
 }
 
@@ -143,8 +143,14 @@ RayQueue::Popped Worker::next_block() {
   open_.send_full();  // others may have taken what came before it
   show_top(kNoSlot);
   report();
-  return queue_.wait_and_pop(number_,
-                             [this] { return frame_.primaries().top() != kNoSlot || frame_.primaries().refill(); });
+  return queue_.wait_and_pop(number_, [this] { return refill(); });
+}
+
+bool Worker::refill() {
+  if (frame_.roots().top() != kNoSlot) return true;
+  if (!frame_.refill()) return false;
+  frame_.roots().sort(*scheme_, version_);  // those of another pass have seen no scheme
+  return true;
 }
 
 // Others look at it all the time, so it is changed only when it has to be.

@@ -17,10 +17,10 @@ namespace firstlight::priority {
 
 /// What the workers of a queued order share.
 struct Shared {
-  Shared(const TraceOptions& options, std::uint64_t samples_of_picture)
+  Shared(const TraceOptions& options, std::uint64_t samples_of_all)
       : pool(options.queue_memory, options.block_size),
         queue(pool, options.threads),
-        samples(static_cast<double>(samples_of_picture)),
+        samples(static_cast<double>(samples_of_all)),
         tops(static_cast<std::size_t>(options.threads)) {}
 
   /// The highest slot of a worker's open blocks when it last looked for work; on a line of its own, for it changes
@@ -56,15 +56,17 @@ class Worker {
   void rekey_block();
   /// Whether the scheme wants feelers first, for so many rays wait.
   bool queue_is_long() const { return static_cast<double>(queue_.waiting()) > scheme_->long_queue() * shared_.samples; }
-  /// Whether the next primary rays come before all that waits, and have room.
-  bool primaries_are_next();
-  void trace_primaries();
+  /// Whether the next roots come before all that waits, and have room.
+  bool roots_are_next();
+  void trace_roots();
   void trace_blocks(const RayQueue::Popped& popped);
   /// Returns how many rays it had.
   std::uint64_t trace_block(Block* block);
   /// Whether more important rays wait in others' open blocks.
   bool is_inverted(Slot slot) const;
   RayQueue::Popped next_block();
+  /// To be called when nothing waits. Whether there are roots again.
+  bool refill();
   void show_top(int slot);
   /// Queues what the last step spawned; `taken` rays had left the queue for it.
   void keep_spawned(std::uint64_t taken);
@@ -88,7 +90,7 @@ class Worker {
   OpenBlocks open_;
   Tally tally_;
   DepthFirst depth_first_;
-  PrimaryOrder::Batch primaries_;
+  Roots roots_;
   std::vector<Key> keys_;
   std::vector<render::RayTask> overflow_;
   std::vector<render::RayTask> stale_;

@@ -7,10 +7,10 @@
 #include "app/compare/process.h"
 #include "app/compare/record_json.h"
 #include "app/compare/record_text.h"
+#include "app/exit_code.h"
 #include "app/output.h"
 #include "app/pov_switches.h"
 #include "app/progress.h"
-#include "app/render_command.h"
 #include "render/image/image_io.h"
 
 #include <fmt/format.h>
@@ -24,21 +24,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
-int fail(const std::string& why) {
-  say_error(why);
-  return kExitUnreadable;
-}
-
 /// `code`, or a failure when the standard output cannot be written.
-int print(const std::string& text, int code) {
-  const std::string problem = print_result(text);
-  return problem.empty() ? code : fail(problem);
-}
-
-int interrupted() {
-  say("firstlight: interrupted");
-  return kExitInterrupted;
-}
+int print(const std::string& text, int code) { return app::print(text, code, kExitUnreadable); }
 
 /// Makes the folder where it is missing. Empty, or what is wrong.
 std::string prepare_folder(const fs::path& folder) {
@@ -161,7 +148,7 @@ int compare_one_scene(CompareCommandLine& line, const std::atomic<bool>& stop) {
   line.settings.say = [&](std::string_view what) { progress.stage(std::string(what)); };
   const SceneRecord record = compare_scene(job, line.settings);
   progress.clear();
-  if (stop) return interrupted();
+  if (stop) return interrupted("");
   if (!record.keeping.empty()) return fail(record.keeping);
   KeptMaps kept;
   if (record.difference && !line.keep.empty()) {
@@ -178,6 +165,8 @@ int compare_one_scene(CompareCommandLine& line, const std::atomic<bool>& stop) {
 }
 
 }  // namespace
+
+int fail(const std::string& why) { return app::fail(why, kExitUnreadable); }
 
 int exit_code(Status status) {
   switch (status) {

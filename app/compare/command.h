@@ -10,6 +10,9 @@ namespace firstlight::app::compare {
 
 constexpr int kExitUnreadable = 4;
 
+/// Says why there is nothing to be judged. Returns kExitUnreadable.
+int fail(const std::string& why);
+
 /// As `idiff` has it: 0 agrees, 1 warns, 2 differs, 3 other size, 4 when there are not two pictures.
 int exit_code(Status status);
 

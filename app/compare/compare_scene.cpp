@@ -19,7 +19,7 @@ namespace fs = std::filesystem;
 
 bool stopped(const CompareSettings& settings) { return settings.stop != nullptr && *settings.stop; }
 
-void say(const CompareSettings& settings, const std::string& name, std::string_view program, int round) {
+void announce(const CompareSettings& settings, const std::string& name, std::string_view program, int round) {
   if (!settings.say) return;
   settings.say(settings.rounds > 1 ? fmt::format("{}: {}, round {} of {}", name, program, round + 1, settings.rounds)
                                    : fmt::format("{}: {}", name, program));
@@ -42,11 +42,11 @@ void render_both(const SceneJob& job, const CompareSettings& settings, const Scr
   give_back_freed_memory();
   for (int round = 0; round < settings.rounds; ++round) {
     if (job.povray == nullptr) {
-      say(settings, job.name, "POV-Ray", round);
+      announce(settings, job.name, "POV-Ray", round);
       take_over(run_povray(job, settings, scratch / "povray.png"), scratch / "povray.png", povray);
       if (stopped(settings)) return;
     }
-    say(settings, job.name, "Firstlight", round);
+    announce(settings, job.name, "Firstlight", round);
     SceneRun run = run_firstlight(job, settings, scratch / "firstlight.png");
     if (stopped(settings)) return;
     const bool refused = !run.error.empty() && run.process.exit_code > 0;

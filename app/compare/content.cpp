@@ -43,6 +43,18 @@ std::vector<std::string> quoted_names(std::string_view text) {
   return {found.begin(), found.end()};
 }
 
+/// Whether a line has `#fopen Name "file" write`, or `append`.
+bool opens_to_write(std::string_view text) {
+  constexpr std::string_view kOpen = "fopen";
+  for (std::size_t at = text.find(kOpen); at != std::string_view::npos; at = text.find(kOpen, at + 1)) {
+    const std::size_t before = text.substr(0, at).find_last_not_of(" \t");
+    if (before == std::string_view::npos || text[before] != '#') continue;
+    const std::string_view line = text.substr(at, text.find('\n', at) - at);
+    if (line.find("write") != std::string_view::npos || line.find("append") != std::string_view::npos) return true;
+  }
+  return false;
+}
+
 }  // namespace
 
 std::string read_bytes(const fs::path& file) {
@@ -75,7 +87,10 @@ SceneContent::File SceneContent::look_at(const fs::path& file) {
   } else {
     const std::string bytes = read_bytes(file);
     result.digest = Digest().add(bytes).text();
-    if (is_text(bytes)) result.names = quoted_names(bytes);
+    if (is_text(bytes)) {
+      result.names = quoted_names(bytes);
+      result.writes = opens_to_write(bytes);
+    }
   }
   const std::lock_guard lock(mutex_);
   return known_.emplace(file, std::move(result)).first->second;
@@ -83,31 +98,43 @@ SceneContent::File SceneContent::look_at(const fs::path& file) {
 
 std::string SceneContent::of_file(const fs::path& file) { return look_at(file).digest; }
 
-std::string SceneContent::of(const fs::path& scene) {
-  const fs::path folder = scene.parent_path();
-  std::map<fs::path, std::string> read;  // in an order that does not depend on the way
-  std::vector<fs::path> waiting{scene};
+SceneContent::Files SceneContent::follow(const fs::path& folder, std::vector<fs::path> waiting) {
+  Files read;
   const auto want = [&](const fs::path& file) {
     if (is_file(file)) waiting.push_back(file.lexically_normal());
   };
-  std::error_code error;
-  for (fs::directory_iterator at(folder, error), end; !error && at != end; at.increment(error)) {
-    if (lower(at->path().extension().string()) != ".pov") want(at->path());
-  }
   while (!waiting.empty()) {
     const fs::path file = std::move(waiting.back());
     waiting.pop_back();
     if (read.contains(file)) continue;
     const File seen = look_at(file);
-    read.emplace(file, seen.digest);
+    read.emplace(file, seen);
     for (const std::string& name : seen.names) {
       want(folder / name);
       want(file.parent_path() / name);
       for (const fs::path& library : libraries_) want(library / name);
     }
   }
+  return read;
+}
+
+bool SceneContent::writes_files(const fs::path& scene) {
+  const Files files = follow(scene.parent_path(), {scene});
+  return std::any_of(files.begin(), files.end(), [](const auto& file) { return file.second.writes; });
+}
+
+std::string SceneContent::of(const fs::path& scene) {
+  const fs::path folder = scene.parent_path();
+  std::vector<fs::path> beside{scene};
+  std::error_code error;
+  for (fs::directory_iterator at(folder, error), end; !error && at != end; at.increment(error)) {
+    const fs::path& file = at->path();
+    if (lower(file.extension().string()) != ".pov" && is_file(file)) beside.push_back(file.lexically_normal());
+  }
   Digest digest;
-  for (const auto& [file, content] : read) digest.add(file.lexically_relative(folder).generic_string()).add(content);
+  for (const auto& [file, seen] : follow(folder, std::move(beside))) {
+    digest.add(file.lexically_relative(folder).generic_string()).add(seen.digest);
+  }
   return digest.text();
 }
 

@@ -38,6 +38,8 @@ class SceneContent {
   /// Of the scene, of every file whose name stands between quotes in it or in such a file, and, because names can be
   /// put together, of every other file beside the scene but for scenes.
   std::string of(const std::filesystem::path& scene);
+  /// Whether the scene, or a file whose name stands between quotes in it or in such a file, opens files to write into.
+  bool writes_files(const std::filesystem::path& scene);
   /// Of one file; that of nothing when it cannot be read.
   std::string of_file(const std::filesystem::path& file);
 
@@ -45,13 +47,17 @@ class SceneContent {
   struct File {
     std::string digest;
     std::vector<std::string> names;  ///< between quotes
+    bool writes = false;             ///< it opens files to write into
   };
+  using Files = std::map<std::filesystem::path, File>;  // in an order that does not depend on the way
 
   File look_at(const std::filesystem::path& file);
+  /// `waiting` and what is named in them. `folder`: the scene's.
+  Files follow(const std::filesystem::path& folder, std::vector<std::filesystem::path> waiting);
 
   std::vector<std::filesystem::path> libraries_;
   std::mutex mutex_;
-  std::map<std::filesystem::path, File> known_;
+  Files known_;
 };
 
 }  // namespace firstlight::app::compare

@@ -13,10 +13,10 @@
 #include "app/compare/sweep.h"
 #include "app/compare/sweep_json.h"
 #include "app/compare/totals.h"
+#include "app/exit_code.h"
 #include "app/output.h"
 #include "app/picture_file.h"
 #include "app/progress.h"
-#include "app/render_command.h"
 #include "app/stats.h"
 #include "render/scene/escaped.h"
 
@@ -34,11 +34,6 @@ namespace {
 
 namespace fs = std::filesystem;
 using Clock = std::chrono::steady_clock;
-
-int fail(const std::string& why) {
-  say_error(why);
-  return kExitUnreadable;
-}
 
 /// A folder's scenes are called by their paths below it; with several folders and scenes each has its own before it.
 SceneList scenes_of(const ListCommandLine& line) {
@@ -201,9 +196,8 @@ int sweep_scenes(const ListCommandLine& line, std::vector<ListedScene> scenes, c
   }
   if (!result.error.empty()) return fail(result.error);
   if (result.stopped) {
-    say(fmt::format("firstlight: interrupted: {} of {} scenes are done; the same command goes on with the others",
-                    records.size(), all));
-    return kExitInterrupted;
+    return interrupted(
+        fmt::format(": {} of {} scenes are done; the same command goes on with the others", records.size(), all));
   }
   if (line.common.json) problem = print_result(text_of(sweep_json(records)));
   if (const std::string why = write_outputs(line, records, command); !why.empty()) return fail(why);

@@ -1,5 +1,6 @@
 #include "app/compare/programs.h"
 
+#include "app/compare/workplace.h"
 #include "app/pov_switches.h"
 
 #include <fmt/format.h>
@@ -16,22 +17,27 @@ namespace {
 namespace fs = std::filesystem;
 
 /// What both programs understand. What is said later counts; where files go, and that nobody looks on, is ours to say.
-std::vector<std::string> switches(const SceneJob& job, const CompareSettings& settings) {
+std::vector<std::string> switches(const SceneJob& job, const CompareSettings& settings, const Workplace& place) {
   std::vector<std::string> words{"+W320", "+H240", "-A", "-J"};
+  for (const fs::path& library : place.libraries()) words.push_back("+L" + library.string());
   if (job.ini) words.push_back(job.ini->string());
   if (settings.width > 0) words.push_back(fmt::format("+W{}", settings.width));
   if (settings.height > 0) words.push_back(fmt::format("+H{}", settings.height));
-  words.insert(words.end(), settings.words.begin(), settings.words.end());
+  for (const std::string& word : settings.words) words.push_back(place.placed(word));
   words.push_back(fmt::format("+WT{}", settings.threads));
   for (const char* word : {"+FN", "-D", "-P"}) words.emplace_back(word);
-  words.push_back("+I" + job.scene.filename().string());
+  words.push_back("+I" + place.scene().string());
   return words;
 }
 
-ProcessResult run(const SceneJob& job, const CompareSettings& settings, std::vector<std::string> words) {
+ProcessResult run(const Workplace& place, const CompareSettings& settings, std::vector<std::string> words) {
+  ProcessResult failed;
+  failed.error = place.error();
+  if (!failed.error.empty()) return failed;
   Command command;
   command.words = std::move(words);
-  command.folder = job.scene.parent_path();
+  command.folder = place.folder();
+  command.home = place.home();
   command.limit = settings.time_limit;
   command.stop = settings.stop;
   return run_process(command);
@@ -107,14 +113,15 @@ std::vector<std::string> unbroken_lines(std::string_view text) {
 }  // namespace
 
 SceneRun run_povray(const SceneJob& job, const CompareSettings& settings, const fs::path& picture) {
-  std::vector<std::string> words = switches(job, settings);
+  const Workplace place(job);
+  std::vector<std::string> words = switches(job, settings, place);
   words.insert(words.begin(), settings.povray);
   words.emplace_back("+GA");  // its times, also when an .ini file wants no messages
   words.push_back("+O" + picture.string());
   std::ranges::transform(words.begin() + 1, words.end(), words.begin() + 1, quoted);
   std::error_code ignored;
   fs::remove(picture, ignored);
-  SceneRun result = finished(run(job, settings, words));
+  SceneRun result = finished(run(place, settings, words));
   const std::string printed = result.process.out + result.process.err;
   result.error = failure(result.process, picture, settings, povray_error(printed));
   result.times.parse = povray_seconds("Parse Time:", printed) + povray_seconds("Bounding Time:", printed);
@@ -126,7 +133,8 @@ SceneRun run_povray(const SceneJob& job, const CompareSettings& settings, const 
 
 SceneRun run_firstlight(const SceneJob& job, const CompareSettings& settings, const fs::path& picture) {
   const fs::path statistics = picture.string() + ".json";
-  std::vector<std::string> words = switches(job, settings);
+  const Workplace place(job);
+  std::vector<std::string> words = switches(job, settings, place);
   words.insert(words.begin(), firstlight_program(settings));
   words.insert(words.end(), settings.our_words.begin(), settings.our_words.end());
   for (const std::string& word : {"+O" + picture.string(), "--stats=" + statistics.string(), std::string("--quiet")}) {
@@ -134,7 +142,7 @@ SceneRun run_firstlight(const SceneJob& job, const CompareSettings& settings, co
   }
   std::error_code ignored;
   fs::remove(picture, ignored);
-  SceneRun result = finished(run(job, settings, words));
+  SceneRun result = finished(run(place, settings, words));
   result.error = failure(result.process, picture, settings, firstlight_error(result.process.err));
   if (!result.error.empty()) return result;
   std::ifstream stream(statistics);
@@ -149,12 +157,13 @@ SceneRun run_firstlight(const SceneJob& job, const CompareSettings& settings, co
 }
 
 std::vector<MissingFeature> missing_features(const SceneJob& job, const CompareSettings& settings) {
-  std::vector<std::string> words = switches(job, settings);
+  const Workplace place(job);
+  std::vector<std::string> words = switches(job, settings, place);
   words.insert(words.begin(), firstlight_program(settings));
   words.insert(words.end(), settings.our_words.begin(), settings.our_words.end());
   for (const char* word : {"--parse-only", "--json", "--quiet"}) words.emplace_back(word);
   std::vector<MissingFeature> missing;
-  const auto json = nlohmann::json::parse(run(job, settings, words).out, nullptr, false);
+  const auto json = nlohmann::json::parse(run(place, settings, words).out, nullptr, false);
   if (!json.is_object() || !json.contains("unrendered")) return missing;
   for (const auto& entry : json["unrendered"]) {
     missing.push_back(

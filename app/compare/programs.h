@@ -19,8 +19,7 @@ struct SceneRun {
       error;  ///< why there is no picture, in the program's own words as far as it had any; empty if there is one
 };
 
-/// Both write `picture`, a PNG file, and run in the folder of the scene, where POV-Ray looks for what the scene includes
-/// and may read. They are given the same switches.
+/// Both write `picture`, a PNG file, and run in a Workplace of their own. They are given the same switches.
 SceneRun run_povray(const SceneJob& job, const CompareSettings& settings, const std::filesystem::path& picture);
 /// Its statistics are written beside the picture.
 SceneRun run_firstlight(const SceneJob& job, const CompareSettings& settings, const std::filesystem::path& picture);

@@ -4,7 +4,6 @@
 #include "render/film/film.h"
 #include "render/film/preview.h"
 #include "render/scene/file_encoding.h"
-#include "render/trace/medium_table.h"
 
 #include <fmt/format.h>
 
@@ -24,7 +23,18 @@ bool same_bytes(std::span<const render::Rgb> a, std::span<const render::Rgb> b) 
 
 class Measurement {
  public:
-  Measurement(const StudyPlan& plan, Study& study) : plan_(plan), study_(study) {}
+  Measurement(const StudyPlan& plan, Study& study)
+      : plan_(plan),
+        study_(study),
+        session_(*plan.session),
+        view_(session_.view()),
+        tracing_(session_.trace_options()) {
+    study.width = view_.width;
+    study.height = view_.height;
+    study.threads = tracing_.threads;
+    study.lights = session_.scene().lights.size();
+    study.levels = session_.scene().settings.max_trace_level;
+  }
 
   std::string run() {
     for (const StudyPlan::Entry& entry : plan_.schemes) study_.schemes.emplace_back().scheme = entry.text;
@@ -47,7 +57,7 @@ class Measurement {
     std::vector<double> first_image;
   };
 
-  bool going_on() const { return error_.empty() && !(plan_.stop != nullptr && *plan_.stop); }
+  bool going_on() const { return error_.empty() && !*tracing_.stop; }
   void say(const std::string& text) const {
     if (plan_.say) plan_.say(text);
   }
@@ -55,17 +65,12 @@ class Measurement {
   /// Nothing when it was stopped or failed.
   std::optional<priority::TraceStatistics> trace(std::size_t scheme, render::Film& film, priority::Observer* observer,
                                                  std::uint64_t checkpoint_rays) {
-    render::MediumTable media;
     const std::shared_ptr<const priority::Scheme> order = plan_.schemes[scheme].make(film);
-    priority::TraceOptions options;
+    priority::TraceOptions options = tracing_;
     options.scheme = order.get();
-    options.threads = plan_.threads;
-    options.queue_memory = plan_.queue_memory;
-    options.antialias = plan_.antialias ? &*plan_.antialias : nullptr;
     options.observer = observer;
     options.checkpoint_rays = checkpoint_rays;
-    options.stop = plan_.stop;
-    const priority::TraceResult result = priority::trace({*plan_.scene, *plan_.accel, media}, film, options);
+    const priority::TraceResult result = session_.trace(film, options);
     if (!result.error.empty()) error_ = fmt::format("{}: {}", plan_.schemes[scheme].text, result.error);
     if (!result.complete()) return std::nullopt;
     return result.statistics;
@@ -74,17 +79,17 @@ class Measurement {
   /// The picture that all others are compared with, and how many rays it takes.
   void finish_once() {
     say(fmt::format("the finished picture, by {}", plan_.schemes[0].text));
-    render::Film film(plan_.width, plan_.height);
+    render::Film film(view_.width, view_.height);
     const auto statistics = trace(0, film, nullptr, 0);
     if (!statistics) return;
     rays_ = statistics->rays.traced();
-    finished_.emplace(film.snapshot(), plan_.width, plan_.height, render::file_encoding(plan_.scene->settings));
+    finished_.emplace(film.snapshot(), view_.width, view_.height, render::file_encoding(session_.scene().settings));
     study_.black_flip = finished_->flip_of_black();
   }
 
   void watch(std::size_t scheme) {
     say(fmt::format("curves of {}", plan_.schemes[scheme].text));
-    render::Film film(plan_.width, plan_.height);
+    render::Film film(view_.width, view_.height);
     Watcher::KeepPicture keep;
     if (plan_.keep_picture) {
       keep = [&](double share, std::span<const render::Rgb> colors) {
@@ -111,7 +116,7 @@ class Measurement {
 
   void time(std::size_t scheme, int round) {
     say(fmt::format("round {} of {}: {}", round + 1, plan_.rounds, plan_.schemes[scheme].text));
-    render::Film film(plan_.width, plan_.height);
+    render::Film film(view_.width, view_.height);
     const auto begin = std::chrono::steady_clock::now();
     const auto statistics = trace(scheme, film, nullptr, 0);
     if (!statistics) return;
@@ -135,6 +140,9 @@ class Measurement {
 
   const StudyPlan& plan_;
   Study& study_;
+  const Session& session_;
+  const render::View view_;
+  const priority::TraceOptions tracing_;
   std::string error_;
   std::uint64_t rays_ = 0;
   std::optional<FinishedPicture> finished_;
@@ -143,13 +151,6 @@ class Measurement {
 
 }  // namespace
 
-std::string measure(const StudyPlan& plan, Study& study) {
-  study.width = plan.width;
-  study.height = plan.height;
-  study.threads = plan.threads;
-  study.lights = plan.scene->lights.size();
-  study.levels = plan.scene->settings.max_trace_level;
-  return Measurement(plan, study).run();
-}
+std::string measure(const StudyPlan& plan, Study& study) { return Measurement(plan, study).run(); }
 
 }  // namespace firstlight::app

@@ -1,16 +1,12 @@
 #pragma once
 
+#include "app/session.h"
 #include "app/study/study.h"
 #include "priority/scheme.h"
-#include "render/accel/accel.h"
-#include "render/film/antialias_settings.h"
 #include "render/film/film.h"
-#include "render/scene/scene.h"
 
-#include <atomic>
 #include <functional>
 #include <memory>
-#include <optional>
 #include <string>
 #include <vector>
 
@@ -24,22 +20,15 @@ struct StudyPlan {
     std::function<std::shared_ptr<const priority::Scheme>(const render::Film&)> make;
   };
 
-  const render::Scene* scene = nullptr;
-  const render::Accel* accel = nullptr;
-  int width = 0;
-  int height = 0;
-  int threads = 1;
-  std::size_t queue_memory = 0;  ///< bytes; 0: no limit
-  std::optional<render::AntialiasSettings> antialias;
+  const Session* session = nullptr;  ///< built
   int rounds = 1;
   std::vector<Entry> schemes;
-  const std::atomic<bool>* stop = nullptr;
   std::function<void(const std::string&)> say;  ///< what is being done; may be empty
   /// Takes a picture of a moment; working colours, rows from the top. May be empty.
   std::function<std::string(std::size_t scheme, double share, std::span<const render::Rgb> colors)> keep_picture;
 };
 
-/// Fills in all of `study` that is measured. Empty, or what went wrong; `stop` is no error.
+/// Fills in all of `study` that is measured. Empty, or what went wrong; to be stopped is no error.
 /// Order    Every scheme once, with rests to look at the picture; then rounds without rests, each of which begins with
 ///          another scheme.
 std::string measure(const StudyPlan& plan, Study& study);

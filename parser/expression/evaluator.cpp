@@ -64,18 +64,6 @@ const render::ObjectProbe& Evaluator::probe(const std::shared_ptr<const render::
   return probes_.back().second;
 }
 
-bool Evaluator::has_guessed() const {
-  const auto& uses = builder_.settings().unrendered.list();
-  return std::ranges::any_of(uses, [](const render::FeatureUse& use) {
-    return use.feature == render::Feature::trace || use.feature == render::Feature::inside ||
-           use.feature == render::Feature::extent;
-  });
-}
-
-void Evaluator::note_unrendered(render::Feature feature, const Location& at) {
-  builder_.settings().unrendered.add({feature, at.file, at.line, at.column});
-}
-
 bool Evaluator::file_exists(const std::string& name) const {
   return files().find_file(name, {}, *frame().file->source).status == SourceFiles::Status::found;
 }

@@ -47,11 +47,6 @@ class Evaluator : public TokenStream {
   Numbers evaluate(const render::Function& function, const double* arguments, const Token& name);
   /// The geometry of a declared object, kept for the next question about it.
   const render::ObjectProbe& probe(const std::shared_ptr<const render::Object>& object);
-  /// An answer at `at` could not be given, so the picture would be wrong.
-  void note_unrendered(render::Feature feature, const Location& at);
-  /// Whether the scene has asked about shapes that are only described, so that its numbers may not be what they will
-  /// be.
-  bool has_guessed() const;
   bool file_exists(const std::string& name) const;
   /// `(name)` behind `defined` or `#ifdef`: whether it is declared; of an array's element, whether it has a value.
   bool parse_defined();

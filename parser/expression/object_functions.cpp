@@ -11,17 +11,12 @@
 
 namespace firstlight::parser {
 
-using render::Feature;
 using render::Object;
 using render::Vec3;
 
 namespace {
 
 using ObjectPtr = std::shared_ptr<const Object>;
-
-/// Where an object is taken to be that is only described. Pictures of such scenes are refused; an answer that is not
-/// empty lets the scene be read to its end.
-const render::Box3 kMadeUpBox{Vec3(0.0), Vec3(1.0)};
 
 void comma(Evaluator& in) {
   if (in.peek().is(Punctuation::comma)) in.take();
@@ -47,14 +42,7 @@ Numbers parse_trace(Evaluator& in, const Token& word) {
   comma(in);
   const Vec3 direction = parse_vector(in);
   comma(in);
-  const render::ObjectProbe& probe = in.probe(object);
-  std::optional<render::ObjectProbe::Hit> hit;
-  if (probe.is_complete()) {
-    hit = probe.trace(origin, direction);
-  } else {
-    in.note_unrendered(Feature::trace, word.location);
-    hit = render::ObjectProbe::Hit{origin + direction, -direction};
-  }
+  const std::optional<render::ObjectProbe::Hit> hit = in.probe(object).trace(origin, direction);
   const Value* normal = in.peek_value();
   if (normal != nullptr && std::holds_alternative<Numbers>(*normal)) {
     const Scopes::Binding variable = in.take_binding();
@@ -71,19 +59,12 @@ Numbers parse_inside(Evaluator& in, const Token& word) {
   comma(in);
   const Vec3 point = parse_vector(in);
   in.expect(Punctuation::right_paren, "to close", word.text);
-  const render::ObjectProbe& probe = in.probe(object);
-  if (probe.is_complete()) return single(probe.inside(point) ? 1.0 : 0.0, 1);
-  in.note_unrendered(Feature::inside, word.location);
-  return single(kMadeUpBox.intersects(point) ? 1.0 : 0.0, 1);
+  return single(in.probe(object).inside(point) ? 1.0 : 0.0, 1);
 }
 
 Numbers parse_extent(Evaluator& in, const Token& word) {
   const ObjectPtr object = take_object(in, word);
   in.expect(Punctuation::right_paren, "to close", word.text);
-  if (!render::is_made(*object)) {
-    in.note_unrendered(Feature::extent, word.location);
-    return numbers_of(word.is(Keyword::min_extent) ? kMadeUpBox.min : kMadeUpBox.max);
-  }
   const render::Box3 box = render::extent(*object).box();
   return numbers_of(word.is(Keyword::min_extent) ? box.min : box.max);
 }

@@ -7,16 +7,14 @@ namespace firstlight::parser {
 
 class Evaluator;
 
-// Questions of expressions about declared objects, each with its word taken. What is asked of an object that is only
-// described is answered with 0, and the scene refused for rendering.
+// Questions of expressions about declared objects, each with its word taken.
 
 /// `trace(object, origin, direction, normal)`: where a ray first meets the object, or 0. The variable that may stand at
 /// the end gets the surface's normal.
 Numbers parse_trace(Evaluator& in, const Token& word);
 /// `inside(object, point)`
 Numbers parse_inside(Evaluator& in, const Token& word);
-/// `min_extent(object)`, `max_extent(object)`; of an object that is only described, a unit cube's: scenes divide by the
-/// size of things.
+/// `min_extent(object)`, `max_extent(object)`
 Numbers parse_extent(Evaluator& in, const Token& word);
 
 }  // namespace firstlight::parser

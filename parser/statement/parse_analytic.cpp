@@ -2,6 +2,7 @@
 #include "parser/statement/parse_common.h"
 #include "parser/statement/parse_form.h"
 #include "parser/statement/parse_shape.h"
+#include "render/shape/julia_fractal.h"
 #include "render/shape/ovus.h"
 #include "render/shape/poly.h"
 #include "render/shape/primitives.h"
@@ -15,9 +16,8 @@
 
 namespace firstlight::parser {
 
-using render::JuliaFractalForm;
+using render::JuliaFractalParameters;
 using render::JuliaFunction;
-using render::Object;
 using render::PolyParameters;
 using render::ShapePtr;
 using render::Vec3;
@@ -105,42 +105,51 @@ std::optional<JuliaFunction> julia_function(Keyword word) {
 }
 
 /// `(real, imaginary)`
-std::pair<double, double> parse_exponent(Reader& reader) {
+std::complex<double> parse_exponent(Reader& reader) {
   if (!reader.accept(Punctuation::left_paren)) reader.fail_expected("'(' and the exponent's two parts");
-  std::pair<double, double> exponent;
-  exponent.first = finite_number(reader, "exponent of 'pwr'");
+  const double real = finite_number(reader, "exponent of 'pwr'");
   reader.skip_comma();
-  exponent.second = finite_number(reader, "exponent of 'pwr'");
+  const double imaginary = finite_number(reader, "exponent of 'pwr'");
   if (!reader.accept(Punctuation::right_paren)) reader.fail_expected("')' after the exponent's two parts");
-  return exponent;
+  return {real, imaginary};
 }
 
-void parse_slice(Reader& reader, JuliaFractalForm& form) {
+void parse_slice(Reader& reader, JuliaFractalParameters& set) {
   const Token& at = reader.peek();
-  form.slice_normal = finite_vector4(reader, "slice of 'julia_fractal'");
+  set.slice_normal = finite_vector4(reader, "slice of 'julia_fractal'");
   reader.skip_comma();
-  form.slice_distance = finite_number(reader, "slice of 'julia_fractal'");
-  const double length = std::sqrt(form.slice_normal.dot(form.slice_normal));
+  set.slice_distance = finite_number(reader, "slice of 'julia_fractal'");
+  const double length = std::sqrt(set.slice_normal.dot(set.slice_normal));
   if (length * length < kTinyLength) reader.fail(at, "the vector of 'slice' is zero");
-  if (std::abs(form.slice_normal.w) < kTinyLength) reader.fail(at, "the last component of 'slice' is zero");
-  form.slice_normal = form.slice_normal / length;
+  if (std::abs(set.slice_normal.w) < kTinyLength) reader.fail(at, "the last component of 'slice' is zero");
+  set.slice_normal = set.slice_normal / length;
 }
 
-bool accept_julia_item(Reader& reader, JuliaFractalForm& form) {
+void parse_most_iterations(Reader& reader, JuliaFractalParameters& set) {
+  const Token& at = reader.peek();
+  const double number = std::max(1.0, std::floor(finite_number(reader, "max_iteration")));
+  if (number > JuliaFractalParameters::kMostIterations) {
+    reader.fail(at, "'max_iteration' of 'julia_fractal' must be at most " +
+                        std::to_string(JuliaFractalParameters::kMostIterations));
+  }
+  set.most_iterations = static_cast<int>(number);
+}
+
+bool accept_julia_item(Reader& reader, JuliaFractalParameters& set) {
   if (reader.accept(Keyword::max_iteration)) {
-    form.most_iterations = std::max(1, static_cast<int>(std::floor(finite_number(reader, "max_iteration"))));
+    parse_most_iterations(reader, set);
   } else if (reader.accept(Keyword::slice)) {
-    parse_slice(reader, form);
+    parse_slice(reader, set);
   } else if (reader.accept(Keyword::precision)) {
-    form.precision = std::max(1.0, finite_number(reader, "precision"));
+    set.precision = std::max(1.0, finite_number(reader, "precision"));
   } else if (reader.accept(Keyword::hypercomplex)) {
-    form.algebra = JuliaFractalForm::Algebra::hypercomplex;
+    set.algebra = JuliaFractalParameters::Algebra::hypercomplex;
   } else if (reader.accept(Keyword::quaternion)) {
-    form.algebra = JuliaFractalForm::Algebra::quaternion;
+    set.algebra = JuliaFractalParameters::Algebra::quaternion;
   } else if (const auto function = julia_function(reader.peek().keyword)) {
     reader.take();
-    form.function = *function;
-    if (form.function == JuliaFunction::power) form.exponent = parse_exponent(reader);
+    set.function = *function;
+    if (set.function == JuliaFunction::power) set.exponent = parse_exponent(reader);
   } else {
     return false;
   }
@@ -195,18 +204,18 @@ ShapePtr parse_ovus(Reader& reader, const Token& word) {
   return render::make_sphere(Vec3(0.0, bottom, 0.0), top);
 }
 
-void parse_julia_fractal(Reader& reader, SceneContext&, const Token& word, Object& object) {
-  JuliaFractalForm form;
-  form.parameter = finite_vector4(reader, "parameter of 'julia_fractal'");
-  while (accept_julia_item(reader, form)) {
+ShapePtr parse_julia_fractal(Reader& reader, const Token& word) {
+  JuliaFractalParameters set;
+  set.parameter = finite_vector4(reader, "parameter of 'julia_fractal'");
+  while (accept_julia_item(reader, set)) {
   }
-  if (form.algebra == JuliaFractalForm::Algebra::quaternion && form.function != JuliaFunction::square &&
-      form.function != JuliaFunction::cube) {
+  if (set.algebra == JuliaFractalParameters::Algebra::quaternion && set.function != JuliaFunction::square &&
+      set.function != JuliaFunction::cube) {
     reader.fail(
         word,
         "a 'julia_fractal' of this function must be 'hypercomplex': of a 'quaternion' there are only 'sqr' and 'cube'");
   }
-  set_form(object, form);
+  return render::make_julia_fractal(set);
 }
 
 }  // namespace firstlight::parser

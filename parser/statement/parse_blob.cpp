@@ -93,11 +93,10 @@ void parse_blob(Reader& reader, SceneContext& context, const Token& word, Object
       blob.components.push_back(parse_sphere_component(reader, context, textures, next));
     } else if (reader.accept(Keyword::cylinder)) {
       const Component cylinder = parse_cylinder_component(reader, context, textures, next);
-      if ((cylinder.end - cylinder.center).length() >= kTinyLength) {
-        blob.components.push_back(cylinder);
-      } else {
-        refuse_shape(reader, next, "'cylinder' in 'blob' has no length: its two ends are the same point");
+      if ((cylinder.end - cylinder.center).length() < kTinyLength) {
+        reader.fail(next, "'cylinder' in 'blob' has no length: its two ends are the same point");
       }
+      blob.components.push_back(cylinder);
     } else {
       break;
     }
@@ -106,11 +105,8 @@ void parse_blob(Reader& reader, SceneContext& context, const Token& word, Object
     }
   }
   if (!textures.empty()) object.extras.change().shape_textures = std::move(textures);
-  if (!blob.components.empty()) {
-    object.shape = render::make_blob(blob);
-    return;
-  }
-  refuse_shape(reader, word, "'blob' needs at least one 'sphere', 'cylinder' or 'component'");
+  if (blob.components.empty()) reader.fail(word, "'blob' needs at least one 'sphere', 'cylinder' or 'component'");
+  object.shape = render::make_blob(blob);
 }
 
 }  // namespace firstlight::parser

@@ -4,9 +4,11 @@
 #include "parser/statement/parse_common.h"
 #include "parser/statement/parse_surface.h"
 #include "parser/statement/parse_transform.h"
+#include "render/camera/lens_grid.h"
 
 #include <algorithm>
 #include <cmath>
+#include <string>
 #include <utility>
 
 namespace firstlight::parser {
@@ -90,8 +92,13 @@ void parse_share(Reader& reader, const Token& word, bool closed, double& share) 
 
 void parse_blur_samples(Reader& reader, render::FocalBlur& blur) {
   const Token& at = reader.peek();
+  const auto check_most = [&](int samples) {
+    if (samples <= render::kMostLensPoints) return;
+    reader.fail(at, "'blur_samples' must be at most " + std::to_string(render::kMostLensPoints));
+  };
   const int first = integer(reader, "blur_samples");
   if (first <= 0) reader.fail(at, "'blur_samples' must be above 0");
+  check_most(first);
   blur.samples = first;
   blur.min_samples = 0;
   if (language_version(reader) < 350) return;
@@ -100,6 +107,7 @@ void parse_blur_samples(Reader& reader, render::FocalBlur& blur) {
   const int second = integer(reader, "blur_samples");
   if (second == 0) return;
   if (first > second) reader.fail(at, "the first number of 'blur_samples' is the smaller one");
+  check_most(second);
   blur.samples = second;
   blur.min_samples = first;
 }
@@ -254,6 +262,7 @@ void note_features(const Token& word, const Draft& draft, Camera& camera) {
   if (camera.normal) note(render::Feature::camera_normal, draft.normal_word);
   if (camera.normal) gather(*camera.normal, camera.unrendered);
   if (camera.blur.shows()) note(render::Feature::focal_blur, draft.aperture_word);
+  if (camera.blur.shows() && camera.blur.bokeh) gather(*camera.blur.bokeh, camera.unrendered);
 }
 
 }  // namespace

@@ -2,6 +2,7 @@
 
 #include "parser/statement/parse_common.h"
 #include "parser/statement/parse_object.h"
+#include "render/shape/mesh.h"
 
 #include <algorithm>
 #include <array>
@@ -11,7 +12,6 @@ namespace firstlight::parser {
 
 using render::CameraKind;
 using render::MeshCamera;
-using render::Object;
 
 namespace {
 
@@ -40,13 +40,14 @@ CameraKind parse_cylinder_type(Reader& reader) {
   return static_cast<CameraKind>(static_cast<int>(CameraKind::cylinder_1) + type - 1);
 }
 
-std::vector<Object> parse_meshes(Reader& reader, SceneContext& context) {
-  std::vector<Object> meshes;
+std::vector<render::ShapePtr> parse_meshes(Reader& reader, SceneContext& context) {
+  std::vector<render::ShapePtr> meshes;
   while (reader.next_is(Keyword::mesh) || reader.next_is(Keyword::mesh2)) {
     const Token& at = reader.peek();
-    auto mesh = parse_object(reader, context);
-    if (!mesh || (mesh->word != "mesh" && mesh->word != "mesh2")) reader.fail(at, "expected a mesh here");
-    meshes.push_back(std::move(*mesh));
+    const auto mesh = parse_object(reader, context);
+    const bool is_mesh = mesh && mesh->shape && render::mesh_of(*mesh->shape) != nullptr;
+    if (!is_mesh) reader.fail(at, "expected a mesh here");
+    meshes.push_back(mesh->shape->placed(mesh->placement));
   }
   if (meshes.empty()) reader.fail_expected("'mesh' or 'mesh2'");
   return meshes;
@@ -66,19 +67,18 @@ MeshCamera parse_mesh_camera(Reader& reader, SceneContext& context, const Token&
     reader.fail(word, "distribution methods 2 and 3 of a 'mesh_camera' take one ray per pixel");
   }
   camera.max_ray_distance = reader.optional_number(0.0);
-  std::vector<Object> meshes = parse_meshes(reader, context);
+  camera.meshes = parse_meshes(reader, context);
   camera.smooth = reader.accept(Keyword::smooth);
   if (camera.smooth && camera.distribution != 3) {
     reader.fail(word, "'smooth' goes with distribution method 3 of a 'mesh_camera' only");
   }
   reader.close_block();
-  if (camera.distribution == 0 && static_cast<std::size_t>(camera.rays_per_pixel) > meshes.size()) {
+  if (camera.distribution == 0 && static_cast<std::size_t>(camera.rays_per_pixel) > camera.meshes.size()) {
     reader.fail(word, "distribution method 0 of a 'mesh_camera' needs a mesh for each ray per pixel");
   }
-  if (camera.distribution == 3 && meshes.size() > 1) {
+  if (camera.distribution == 3 && camera.meshes.size() > 1) {
     reader.warn(word, "distribution method 3 of a 'mesh_camera' uses its first mesh only");
   }
-  camera.meshes = std::make_shared<const std::vector<Object>>(std::move(meshes));
   return camera;
 }
 

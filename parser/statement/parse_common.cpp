@@ -16,11 +16,6 @@ render::FeatureUse feature_use(render::Feature feature, const Token& word) {
   return {feature, word.location.file, word.location.line, word.location.column};
 }
 
-void refuse_shape(Reader& reader, const Token& at, std::string message) {
-  if (!reader.interpreter().has_guessed()) reader.fail(at, std::move(message));
-  reader.warn(at, message + "; it is left out");
-}
-
 int language_version(Reader& reader) { return reader.interpreter().language_version(); }
 
 int effective_language_version(Reader& reader) { return reader.interpreter().effective_language_version(); }

@@ -18,10 +18,6 @@ std::string quoted(const Token& word);
 /// That `feature` is asked for at `word`.
 render::FeatureUse feature_use(render::Feature feature, const Token& word);
 
-/// Of a shape that cannot be: fails with `message`. But where the scene has asked about shapes that are only described,
-/// its numbers may be wrong for that alone: then it is a warning, and the shape is to be left out.
-void refuse_shape(Reader& reader, const Token& at, std::string message);
-
 /// The version of the language in force where the reader stands, as 100 * version.
 int language_version(Reader& reader);
 /// The same, but a scene that never states its version counts as one written before 3.7.

@@ -2,6 +2,8 @@
 #include "parser/statement/parse_common.h"
 #include "parser/statement/parse_form.h"
 #include "parser/statement/parse_function.h"
+#include "render/shape/isosurface.h"
+#include "render/shape/parametric.h"
 
 #include <algorithm>
 #include <array>
@@ -12,9 +14,9 @@
 namespace firstlight::parser {
 
 using render::Container;
-using render::IsosurfaceForm;
+using render::IsosurfaceParameters;
 using render::Object;
-using render::ParametricForm;
+using render::ParametricParameters;
 using render::Vec3;
 
 namespace {
@@ -72,87 +74,90 @@ std::array<double, 3> parse_evaluate(Reader& reader) {
   return numbers;
 }
 
-bool accept_isosurface_item(Reader& reader, IsosurfaceForm& form) {
+bool accept_isosurface_item(Reader& reader, IsosurfaceParameters& surface) {
   if (reader.accept(Keyword::threshold)) {
-    form.threshold = finite_number(reader, "threshold");
+    surface.threshold = finite_number(reader, "threshold");
   } else if (reader.accept(Keyword::accuracy)) {
-    form.accuracy = finite_number(reader, "accuracy");
+    surface.accuracy = finite_number(reader, "accuracy");
   } else if (reader.accept(Keyword::max_gradient)) {
-    form.max_gradient = finite_number(reader, "max_gradient");
+    surface.max_gradient = finite_number(reader, "max_gradient");
   } else if (reader.accept(Keyword::max_trace)) {
-    form.max_trace = integer(reader, "max_trace");
+    surface.max_trace = integer(reader, "max_trace");
   } else if (reader.accept(Keyword::all_intersections)) {
-    form.max_trace = IsosurfaceForm::kMostTraces;
+    surface.max_trace = IsosurfaceParameters::kMostTraces;
   } else if (reader.accept(Keyword::evaluate)) {
-    form.evaluate = parse_evaluate(reader);
+    surface.evaluate = parse_evaluate(reader);
   } else if (reader.accept(Keyword::open)) {
-    form.open = true;
+    surface.open = true;
   } else {
-    return accept_container(reader, form.container);
+    return accept_container(reader, surface.container);
   }
   return true;
 }
 
 /// Values that make no sense become the default, with a warning.
-void repair(Reader& reader, const Token& word, IsosurfaceForm& form) {
+void repair(Reader& reader, const Token& word, IsosurfaceParameters& surface) {
   const auto say = [&](const char* what) { reader.warn(word, std::string(what) + " of 'isosurface' is used"); };
-  if (form.accuracy <= 0.0) {
+  if (surface.accuracy <= 0.0) {
     say("'accuracy' must be above 0; the default");
-    form.accuracy = IsosurfaceForm().accuracy;
+    surface.accuracy = IsosurfaceParameters().accuracy;
   }
-  if (form.max_gradient <= 0.0) {
+  if (surface.max_gradient <= 0.0) {
     say("'max_gradient' must be above 0; the default");
-    form.max_gradient = IsosurfaceForm().max_gradient;
+    surface.max_gradient = IsosurfaceParameters().max_gradient;
   }
-  if (form.max_trace > IsosurfaceForm::kMostTraces) say("'max_trace' is at most 10; the maximum");
-  if (form.max_trace < 1) say("'max_trace' must be above 0; the default");
-  form.max_trace = std::clamp(form.max_trace, 1, IsosurfaceForm::kMostTraces);
+  if (surface.max_trace > IsosurfaceParameters::kMostTraces) say("'max_trace' is at most 10; the maximum");
+  if (surface.max_trace < 1) say("'max_trace' must be above 0; the default");
+  surface.max_trace = std::clamp(surface.max_trace, 1, IsosurfaceParameters::kMostTraces);
 }
 
 /// `precompute depth, x, y, z`, of which letters may be left out.
-void parse_precompute(Reader& reader, ParametricForm& form) {
-  form.precompute_depth = integer(reader, "precompute", 1, ParametricForm::kDeepestPrecompute);
+void parse_precompute(Reader& reader, ParametricParameters& surface) {
+  surface.precompute_depth = integer(reader, "precompute", 1, ParametricParameters::kDeepestPrecompute);
   static constexpr Keyword kLetters[] = {Keyword::x, Keyword::y, Keyword::z};
   for (std::size_t i = 0; i < 3; ++i) {
     reader.skip_comma();
-    form.precompute[i] = reader.accept(kLetters[i]);
+    surface.precompute[i] = reader.accept(kLetters[i]);
   }
 }
 
 }  // namespace
 
 void parse_isosurface(Reader& reader, SceneContext&, const Token& word, Object& object) {
-  IsosurfaceForm form;
-  form.function = parse_surface_function(reader, object);
-  while (accept_isosurface_item(reader, form)) {
+  IsosurfaceParameters surface;
+  surface.function = parse_surface_function(reader, object);
+  while (accept_isosurface_item(reader, surface)) {
   }
-  repair(reader, word, form);
-  set_form(object, std::move(form));
+  repair(reader, word, surface);
+  surface.noise_generator = reader.interpreter().language().noise_generator();
+  object.shape = render::make_isosurface(surface);
 }
 
 void parse_parametric(Reader& reader, SceneContext&, const Token&, Object& object) {
-  ParametricForm form;
-  for (render::FunctionPtr& function : form.functions) {
+  ParametricParameters surface;
+  for (render::FunctionPtr& function : surface.functions) {
     function = parse_surface_function(reader, object);
     reader.skip_comma();
   }
-  form.low = finite_vector2(reader, "range of 'parametric'");
+  surface.low = finite_vector2(reader, "range of 'parametric'");
   reader.skip_comma();
-  form.high = finite_vector2(reader, "range of 'parametric'");
-  if (form.low.x > form.high.x) std::swap(form.low.x, form.high.x);
-  if (form.low.y > form.high.y) std::swap(form.low.y, form.high.y);
+  surface.high = finite_vector2(reader, "range of 'parametric'");
+  if (surface.low.x > surface.high.x) std::swap(surface.low.x, surface.high.x);
+  if (surface.low.y > surface.high.y) std::swap(surface.low.y, surface.high.y);
   for (;;) {
     if (reader.accept(Keyword::accuracy)) {
-      form.accuracy = finite_number(reader, "accuracy");
+      surface.accuracy = finite_number(reader, "accuracy");
     } else if (reader.accept(Keyword::max_gradient)) {
-      form.max_gradient = finite_number(reader, "max_gradient");
+      surface.max_gradient = finite_number(reader, "max_gradient");
     } else if (reader.accept(Keyword::precompute)) {
-      parse_precompute(reader, form);
-    } else if (!accept_container(reader, form.container)) {
+      parse_precompute(reader, surface);
+    } else if (!accept_container(reader, surface.container)) {
       break;
     }
   }
-  set_form(object, std::move(form));
+  surface.noise_generator = reader.interpreter().language().noise_generator();
+  object.patch = true;
+  object.shape = render::make_parametric(surface);
 }
 
 }  // namespace firstlight::parser

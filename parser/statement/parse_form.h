@@ -2,37 +2,27 @@
 
 #include "parser/directive/reader.h"
 #include "parser/statement/statements.h"
-#include "render/scene/form.h"
 #include "render/scene/object.h"
 
-#include <memory>
 #include <string_view>
 #include <utility>
 #include <vector>
 
 namespace firstlight::parser {
 
-/// How parse_object() reads a shape that is described and not made: from behind the `{` to the first modifier. Sets
-/// the object's form or shape, and what else the description implies. Neither form nor shape set: there is nothing to
-/// see, after a warning.
-using FormReader = void (*)(Reader& reader, SceneContext& context, const Token& word, render::Object& object);
+/// How parse_object() reads a shape that says more of its object than its geometry: from behind the `{` to the first
+/// modifier. Sets the object's shape or children, and what else the description implies. Neither set: there is nothing
+/// to see, after a warning.
+using RichReader = void (*)(Reader& reader, SceneContext& context, const Token& word, render::Object& object);
 
 #define SHAPE(word, function)
 #define PATCH(word, function)
-#define FORM(word, function) \
+#define RICH(word, function) \
   void function(Reader& reader, SceneContext& context, const Token& word_token, render::Object& object);
-#define RICH FORM
 #include "parser/shapes.def"
 #undef RICH
-#undef FORM
 #undef PATCH
 #undef SHAPE
-
-/// Makes `shape` the form of `object`.
-template <class T>
-void set_form(render::Object& object, T shape) {
-  object.extras.change().form = std::make_shared<const render::Form>(render::Form{std::move(shape)});
-}
 
 /// Points that a scene may give one shape. Far more than curves are drawn with.
 constexpr int kMostPoints = 1 << 20;

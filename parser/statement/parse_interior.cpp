@@ -2,6 +2,7 @@
 #include "parser/statement/parse_surface.h"
 #include "parser/statement/parse_transform.h"
 
+#include <string>
 #include <utility>
 
 namespace firstlight::parser {
@@ -16,7 +17,8 @@ constexpr std::size_t kMostMedia = 1000;
 bool accept_item(Reader& reader, SceneContext& context, Interior& interior) {
   if (reader.accept(Keyword::ior)) {
     interior.ior = finite_number(reader, "ior");
-    if (interior.ior == 0.0) interior.ior = 1.0;  // 0 stands for the air around
+    interior.has_ior = interior.ior != 0.0;
+    if (!interior.has_ior) interior.ior = 1.0;  // 0 stands for the air around
   } else if (reader.accept(Keyword::fade_distance)) {
     interior.fade_distance = finite_number(reader, "fade_distance");
   } else if (reader.accept(Keyword::fade_power)) {
@@ -27,14 +29,17 @@ bool accept_item(Reader& reader, SceneContext& context, Interior& interior) {
     const Token& word = reader.take();
     interior.refraction_scale = finite_number(reader, "refraction");
     reader.warn(word, "'refraction' is not needed to make light bend");
-  } else if (reader.next_is(Keyword::dispersion)) {
-    const Token& word = reader.take();
+  } else if (reader.accept(Keyword::dispersion)) {
+    const Token& at = reader.peek();
     interior.dispersion = finite_number(reader, "dispersion");
-    interior.unrendered.add(feature_use(render::Feature::dispersion, word));
+    if (interior.dispersion <= 0.0) reader.fail(at, "'dispersion' must be above 0");
   } else if (reader.accept(Keyword::dispersion_samples)) {
     const Token& at = reader.peek();
     interior.dispersion_samples = integer(reader, "dispersion_samples");
     if (interior.dispersion_samples < 2) reader.fail(at, "'dispersion_samples' must be at least 2");
+    if (interior.dispersion_samples > Interior::kMostBands) {
+      reader.fail(at, "'dispersion_samples' must be at most " + std::to_string(Interior::kMostBands));
+    }
   } else if (reader.next_is(Keyword::caustics)) {
     const Token& word = reader.take();
     interior.caustics = finite_number(reader, "caustics");

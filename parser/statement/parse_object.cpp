@@ -13,10 +13,10 @@ using render::Object;
 
 namespace {
 
-/// How the word of a shape is read: one of `read` and `describe` is there.
+/// How the word of a shape is read: one of `read` and `read_rich` is there.
 struct ShapeWord {
   ShapeReader read = nullptr;
-  FormReader describe = nullptr;
+  RichReader read_rich = nullptr;
   bool patch = false;
 };
 
@@ -28,13 +28,11 @@ ShapeWord shape_word(Keyword word) {
 #define PATCH(word, function) \
   case Keyword::word:         \
     return {.read = function, .patch = true};
-#define FORM(word, function) \
+#define RICH(word, function) \
   case Keyword::word:        \
-    return {.describe = function};
-#define RICH FORM
+    return {.read_rich = function};
 #include "parser/shapes.def"
 #undef RICH
-#undef FORM
 #undef PATCH
 #undef SHAPE
     default:
@@ -55,12 +53,9 @@ std::optional<Object> parse_shape(Reader& reader, SceneContext& context, const S
   if (shape.read) {
     object.shape = shape.read(reader, word);
   } else {
-    shape.describe(reader, context, word, object);
+    shape.read_rich(reader, context, word, object);
   }
-  if (const auto& form = object.extras->form) {
-    object.patch = render::is_patch(*form);
-    object.extras.change().unrendered.add(feature_use(render::feature_of(*form), word));
-  } else if (object.shape) {
+  if (object.shape) {
     object.patch = object.patch || shape.patch;
     for (const auto& texture : object.extras->shape_textures) object.depth = std::max(object.depth, depth_of(*texture));
     object.cramped = object.shape->given_bounds() != object.shape->bounds();
@@ -105,7 +100,7 @@ std::optional<Object> parse_object(Reader& reader, SceneContext& context) {
   if (next.kind == TokenKind::identifier) return accept_declared_object(reader);
   if (next.kind != TokenKind::keyword) return std::nullopt;
   const ShapeWord shape = shape_word(next.keyword);
-  if (shape.read || shape.describe) return parse_shape(reader, context, shape);
+  if (shape.read || shape.read_rich) return parse_shape(reader, context, shape);
   switch (next.keyword) {
     case Keyword::object:
       return parse_wrapped(reader, context);

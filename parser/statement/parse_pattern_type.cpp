@@ -112,7 +112,6 @@ void parse_object_pattern(Reader& reader, SceneContext& context, PatternOwner& o
   nest(reader, word, owner.change_pattern().depth, object->depth);
   const auto held = std::make_shared<const render::Object>(std::move(*object));
   const auto probe = std::make_shared<const render::ObjectProbe>(*held);
-  if (!probe->is_complete()) owner.change_pattern().unrendered.add(feature_use(render::Feature::inside, word));
   owner.change_pattern().parameters =
       render::ObjectParameters{held, [probe](const Vec3& point) { return probe->inside(point); }};
   owner.parse_list(reader, context, render::list_size(PatternKind::object));

@@ -6,6 +6,7 @@
 #include "render/shape/polygon.h"
 #include "render/shape/prism.h"
 #include "render/shape/sor.h"
+#include "render/shape/sphere_sweep.h"
 
 #include <cmath>
 #include <string>
@@ -13,11 +14,10 @@
 
 namespace firstlight::parser {
 
-using render::Object;
 using render::PrismParameters;
 using render::ProfileSpline;
 using render::ShapePtr;
-using render::SphereSweepForm;
+using render::SphereSweepParameters;
 using render::Vec2;
 using render::Vec3;
 
@@ -179,29 +179,29 @@ ShapePtr parse_polygon(Reader& reader, const Token& word) {
   return polygon;
 }
 
-void parse_sphere_sweep(Reader& reader, SceneContext&, const Token&, Object& object) {
-  SphereSweepForm form;
+ShapePtr parse_sphere_sweep(Reader& reader, const Token&) {
+  SphereSweepParameters sweep;
   if (reader.accept(Keyword::linear_spline)) {
-    form.spline = SphereSweepForm::Spline::linear;
+    sweep.spline = SphereSweepParameters::Spline::linear;
   } else if (reader.accept(Keyword::cubic_spline)) {
-    form.spline = SphereSweepForm::Spline::cubic;
+    sweep.spline = SphereSweepParameters::Spline::cubic;
   } else if (reader.accept(Keyword::b_spline)) {
-    form.spline = SphereSweepForm::Spline::b_spline;
+    sweep.spline = SphereSweepParameters::Spline::b_spline;
   } else {
     reader.fail_expected("'linear_spline', 'cubic_spline' or 'b_spline'");
   }
   reader.skip_comma();
-  const int count = point_count(reader, form.spline == SphereSweepForm::Spline::linear ? 2 : 4, "spheres");
+  const int count = point_count(reader, sweep.spline == SphereSweepParameters::Spline::linear ? 2 : 4, "spheres");
   for (int i = 0; i < count; ++i) {
-    SphereSweepForm::Ball ball;
+    SphereSweepParameters::Ball ball;
     reader.skip_comma();
     ball.center = finite_vector(reader, "center in 'sphere_sweep'");
     reader.skip_comma();
     ball.radius = finite_number(reader, "radius in 'sphere_sweep'");
-    form.balls.push_back(ball);
+    sweep.balls.push_back(ball);
   }
-  if (reader.accept(Keyword::tolerance)) form.tolerance = finite_number(reader, "tolerance");
-  set_form(object, std::move(form));
+  if (reader.accept(Keyword::tolerance)) sweep.tolerance = finite_number(reader, "tolerance");
+  return render::make_sphere_sweep(sweep);
 }
 
 }  // namespace firstlight::parser

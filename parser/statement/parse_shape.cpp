@@ -14,10 +14,9 @@ namespace {
 
 bool accept_open(Reader& reader) { return reader.accept(Keyword::open); }
 
-bool has_length(Reader& reader, const Token& word, const Vec3& a, const Vec3& b) {
-  if ((a - b).length() >= kTinyLength) return true;
-  refuse_shape(reader, word, quoted(word) + " has no length: its two ends are the same point");
-  return false;
+void must_have_length(Reader& reader, const Token& word, const Vec3& a, const Vec3& b) {
+  if ((a - b).length() >= kTinyLength) return;
+  reader.fail(word, quoted(word) + " has no length: its two ends are the same point");
 }
 
 ShapePtr degenerate(Reader& reader, const Token& word) {
@@ -53,7 +52,7 @@ ShapePtr parse_cylinder(Reader& reader, const Token& word) {
   reader.skip_comma();
   const double radius = finite_number(reader, "radius of 'cylinder'");
   const bool open = accept_open(reader);
-  if (!has_length(reader, word, base, cap)) return nullptr;
+  must_have_length(reader, word, base, cap);
   return render::make_cylinder(base, cap, radius, open);
 }
 
@@ -66,7 +65,7 @@ ShapePtr parse_cone(Reader& reader, const Token& word) {
   reader.skip_comma();
   const double cap_radius = finite_number(reader, "radius of 'cone'");
   const bool open = accept_open(reader);
-  if (!has_length(reader, word, base, cap)) return nullptr;
+  must_have_length(reader, word, base, cap);
   return render::make_cone(base, base_radius, cap, cap_radius, open);
 }
 

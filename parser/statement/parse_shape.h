@@ -11,10 +11,8 @@ using ShapeReader = render::ShapePtr (*)(Reader& reader, const Token& word);
 
 #define SHAPE(word, function) render::ShapePtr function(Reader& reader, const Token& word_token);
 #define PATCH(word, function) render::ShapePtr function(Reader& reader, const Token& word_token);
-#define FORM(word, function)
 #define RICH(word, function)
 #include "parser/shapes.def"
-#undef FORM
 #undef RICH
 #undef PATCH
 #undef SHAPE

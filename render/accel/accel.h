@@ -3,6 +3,7 @@
 #include "render/accel/ray_block.h"
 #include "render/math/vec.h"
 #include "render/scene/scene.h"
+#include "render/shape/shape.h"
 
 #include <array>
 #include <cstdint>
@@ -21,15 +22,11 @@ struct RayQuery {
 };
 
 /// The nearest crossing of a ray. `part == kNoIndex`: nothing was met.
-struct Hit {
-  double depth = 0.0;
-  std::uint32_t part = kNoIndex;
-  std::uint32_t face = 0;
-  const Shape* shape = nullptr;  ///< answers what is asked about this crossing
+struct Hit : Crossing {
   std::uint32_t solid = kNoIndex;
-  std::array<double, 2> place{};  ///< Crossing::place
 
-  Crossing crossing() const { return {depth, shape, part, face, place}; }
+  Hit() { part = kNoIndex; }
+  Hit(const Crossing& crossing, std::uint32_t of_solid) : Crossing(crossing), solid(of_solid) {}
 };
 
 /// POV-Ray 3.7: a feeler ignores what is closer than this to either of its ends, in scene units.

@@ -8,7 +8,8 @@
 #include <hwy/foreach_target.h>
 #include <hwy/highway.h>
 
-#include "render/accel/leaf_test-inl.h"
+#include "render/accel/leaf/plane-inl.h"
+#include "render/accel/leaf/sphere-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace firstlight::render {

@@ -1,10 +1,11 @@
 #include "render/accel/leaves.h"
 
 #include "render/math/interrupt.h"
+#include "render/shape/box.h"
+#include "render/shape/plane.h"
+#include "render/shape/sphere.h"
 
 #include <algorithm>
-#include <cmath>
-#include <limits>
 
 namespace firstlight::render {
 namespace {
@@ -12,26 +13,6 @@ namespace {
 bool any_opaque(const Solid& solid, const std::vector<Part>& parts) {
   if (solid.kind == Solid::Kind::shape) return parts[solid.part].opaque;
   return std::ranges::any_of(solid.members(), [&](const Solid& m) { return any_opaque(m, parts); });
-}
-
-void add_blockers(const Solid& solid, std::vector<const Solid*>& blockers) {
-  if (solid.kind == Solid::Kind::union_ && solid.clips().empty()) {
-    for (const Solid& member : solid.members()) add_blockers(member, blockers);
-  } else {
-    blockers.push_back(&solid);
-  }
-}
-
-/// Those that cast shadows also where the feeler misses the box of a cramped solid.
-/// Source   POV-Ray 3.7 asks the object that blocked a light last before all others, and then not the box of the
-///          whole, but that of the member alone, if its kind of shape asks it. So nearly all feelers meet it without
-///          the box. Which do not depends on the order of the pixels there; here all do, but of planes, whose shadows
-///          would be everywhere, none.
-std::vector<const Solid*> blockers_of(const Solid& cramped) {
-  std::vector<const Solid*> blockers;
-  if (cramped.kind == Solid::Kind::shape && !cramped.shape->asks_box()) blockers.push_back(&cramped);
-  if (cramped.kind == Solid::Kind::union_ && cramped.clips().empty()) add_blockers(cramped, blockers);
-  return blockers;
 }
 
 ChildRef next_ref(ChildKind kind, std::size_t index) { return ChildRef::of(kind, static_cast<std::uint32_t>(index)); }
@@ -118,41 +99,9 @@ Leaves::Leaves(const Scene& scene) : tie_order(scene) {
   }
 }
 
-void mark_coincident(std::span<PlaneLeaf> planes) {
-  constexpr double kRoom = 1e-6;
-  constexpr std::size_t kMany = 1000;  // so many are not compared with each other: all are in doubt
-  for (std::size_t i = 0; i < planes.size(); ++i) {
-    if (planes.size() > kMany) planes[i].in_doubt = true;
-    for (std::size_t k = 0; k < i && planes.size() <= kMany; ++k) {
-      PlaneLeaf& a = planes[i];
-      PlaneLeaf& b = planes[k];
-      const double side = a.normal.dot(b.normal) < 0.0 ? -1.0 : 1.0;
-      const bool parallel = (a.normal - b.normal * side).length2() < kRoom * kRoom;
-      const bool together = std::abs(a.offset - b.offset * side) <= kRoom * (1.0 + std::abs(a.offset));
-      if (parallel && together) a.in_doubt = b.in_doubt = true;
-    }
-  }
-}
-
-void Leaves::add_block(const std::vector<RoundSphere>& all, const SphereGroup& group) {
-  SphereBlock block{};
-  for (std::size_t lane = 0; lane < kLanes; ++lane) {
-    block.radius_squared[lane] = -std::numeric_limits<double>::infinity();
-    spheres.emplace_back();
-    if (group[lane] == kNoSphere) continue;
-    const RoundSphere& round = all[group[lane]];
-    spheres.back() = round.head;
-    for (int axis = 0; axis < 3; ++axis) {
-      block.center[axis][lane] = round.sphere->center()[axis];
-      block.bounds[2 * axis][lane] = round.bounds.low[axis];
-      block.bounds[2 * axis + 1][lane] = round.bounds.high[axis];
-    }
-    block.hidden_from[lane] = round.head.hidden_from;
-    block.hidden_from_any |= round.head.hidden_from;
-    block.opaque |= static_cast<std::uint8_t>(round.head.opaque ? 1u << lane : 0u);
-    block.radius_squared[lane] = round.sphere->radius_squared();
-  }
-  sphere_blocks.push_back(block);
+void Leaves::add_block(std::span<const RoundSphere> all, const SphereGroup& group) {
+  sphere_blocks.push_back(sphere_block(all, group));
+  for (const std::uint32_t sphere : group) spheres.push_back(sphere == kNoSphere ? LeafHead() : all[sphere].head);
 }
 
 }  // namespace firstlight::render

@@ -40,14 +40,7 @@ Vec3 center_of(const SphereBlock& block, std::size_t lane) {
 /// What has no bounds is seen everywhere.
 bool all_have_bounds(const Leaves& leaves) {
   return std::ranges::all_of(leaves.beside, [&](ChildRef ref) {
-    switch (ref.kind()) {
-      case ChildKind::box:
-        return !casts_shadow(leaves.boxes[ref.index()].head.hidden_from);
-      case ChildKind::solid:
-        return !casts_shadow(leaves.solids[ref.index()].head.hidden_from);
-      default:
-        return false;
-    }
+    return ref.kind() != ChildKind::sphere && !casts_shadow(leaves.head(ref).hidden_from);
   });
 }
 
@@ -144,11 +137,10 @@ class LightBuffer::Builder {
         return true;
       }
       case ChildKind::box:
-        return !casts_shadow(leaves_.boxes[ref.index()].head.hidden_from) || mark_box(leaves_.boxes[ref.index()]);
-      case ChildKind::solid:
-        return !casts_shadow(leaves_.solids[ref.index()].head.hidden_from) || mark(box);
+        return !casts_shadow(leaves_.head(ref).hidden_from) || mark_box(leaves_.boxes[ref.index()]);
+      default:
+        return !casts_shadow(leaves_.head(ref).hidden_from) || mark(box);
     }
-    return false;
   }
 
   CubeCells::Rectangles seen_through(const FloatBox& box) const {

@@ -127,7 +127,7 @@ class TieOrder::Search {
     for (std::size_t c = crossings.size(); c-- > 0;) {
       const Crossing& crossing = crossings[c];
       if (!(crossing.depth > min_depth_ && crossing.depth < best_.depth)) continue;
-      best_ = {crossing.depth, crossing.part, crossing.face, crossing.shape, number, crossing.place};
+      best_ = Hit(crossing, number);
     }
   }
 

@@ -11,16 +11,20 @@
 
 namespace firstlight::render {
 
-/// What hangs in a slot of a node, told apart by the two highest bits: an inner node, a group of spheres, or one other
-/// leaf.
-enum class ChildKind : std::uint32_t { node = 0, sphere = 1, box = 2, solid = 3 };
+/// What hangs in a slot of a node: an inner node, a group of spheres, or one other leaf. There is room for eight kinds.
+enum class ChildKind : std::uint32_t { node = 0, sphere, box, solid };
 
+/// A kind and a number of it; the kind is in the highest bits.
 struct ChildRef {
+  static constexpr int kIndexBits = 29;
+
   std::uint32_t bits;
 
-  static ChildRef of(ChildKind kind, std::uint32_t index) { return {static_cast<std::uint32_t>(kind) << 30 | index}; }
-  ChildKind kind() const { return static_cast<ChildKind>(bits >> 30); }
-  std::uint32_t index() const { return bits & 0x3fffffffu; }
+  static ChildRef of(ChildKind kind, std::uint32_t index) {
+    return {static_cast<std::uint32_t>(kind) << kIndexBits | index};
+  }
+  ChildKind kind() const { return static_cast<ChildKind>(bits >> kIndexBits); }
+  std::uint32_t index() const { return bits & ((std::uint32_t{1} << kIndexBits) - 1); }
 };
 
 constexpr std::size_t kTreeWidth = 8;

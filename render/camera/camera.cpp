@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numbers>
 
 namespace firstlight::render {
@@ -41,6 +42,12 @@ void widen_to_look_at(Camera& camera) {
   if (target_distance <= kParallel || plane_distance <= kParallel) return;
   camera.right *= target_distance / plane_distance;
   camera.up *= target_distance / plane_distance;
+}
+
+double farthest_sight(const Camera& camera) {
+  constexpr double kLeast = 1e-10;  // [POV-Ray 3.7]
+  const bool is_limited = camera.kind == CameraKind::mesh && camera.mesh.max_ray_distance >= kLeast;
+  return is_limited ? camera.mesh.max_ray_distance : std::numeric_limits<double>::infinity();
 }
 
 void place(Camera& camera, const Transform& transform) {

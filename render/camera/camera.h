@@ -11,8 +11,8 @@
 namespace firstlight::render {
 
 struct Normal;
-struct Object;
 struct Pigment;
+class Shape;
 
 /// Depth of field. It shows with an aperture and samples.
 struct FocalBlur {
@@ -34,7 +34,7 @@ struct MeshCamera {
   int distribution = 0;           ///< method of dealing faces to pixels, 0 to 3
   double max_ray_distance = 0.0;  ///< 0: none
   bool smooth = false;            ///< of method 3: directions are interpolated normals
-  std::shared_ptr<const std::vector<Object>> meshes = {};
+  std::vector<std::shared_ptr<const Shape>> meshes = {};
 };
 
 /// A camera as POV-Ray keeps it after its modifiers have been applied in order. The picture plane of a perspective
@@ -64,5 +64,7 @@ void set_angle(Camera& camera, double degrees);
 /// Of an orthographic camera: makes the picture plane as large as it looks at the distance of `look_at`.
 void widen_to_look_at(Camera& camera);
 void place(Camera& camera, const Transform& transform);
+/// How far rays see that begin at the camera; infinity for most.
+double farthest_sight(const Camera& camera);
 
 }  // namespace firstlight::render

@@ -17,8 +17,6 @@ constexpr auto kMakers = std::to_array<Maker>({
 
 }  // namespace
 
-ProjectionPtr projection::unmade(const Camera& camera) { return make_perspective(camera); }
-
 ProjectionPtr make_projection(const Camera& camera) { return kMakers[static_cast<std::size_t>(camera.kind)](camera); }
 
 std::optional<Ray> ray_through(const View& view, double x, double y) {

@@ -27,12 +27,21 @@ struct PicturePlaces {
   std::size_t size = 0;
   Column<double> across;
   Column<double> upwards;
+  /// The same in picture coordinates, for kinds to which pixels mean something; and the size of the picture.
+  Column<double> x;
+  Column<double> y;
+  int width = 0;
+  int height = 0;
 
   /// In picture coordinates: (0, 0) is the upper left corner, (width, height) the lower right one, the middle of the
   /// first pixel (0.5, 0.5).
-  void add(double x, double y, int width, int height) {
-    across[size] = x / width - 0.5;
-    upwards[size++] = (height - y) / height - 0.5;
+  void add(double at_x, double at_y, int of_width, int of_height) {
+    width = of_width;
+    height = of_height;
+    x[size] = at_x;
+    y[size] = at_y;
+    across[size] = at_x / width - 0.5;
+    upwards[size++] = (height - at_y) / height - 0.5;
   }
 };
 
@@ -56,10 +65,17 @@ class Projection {
   virtual void project(const PicturePlaces& places, CameraRays& rays) const = 0;
   /// A box about the origins of all rays; one point where they begin in one.
   virtual Box3 origins() const = 0;
+
+  /// A place may have several rays: those there are have equal shares of its light. project() gives the first.
+  virtual int rays_per_place() const { return 1; }
+  /// Replaces `rays` by the rays of that number, from 0 on. Pre: number < rays_per_place().
+  virtual void project_further(int /*number*/, const PicturePlaces& places, CameraRays& rays) const {
+    project(places, rays);
+  }
 };
 using ProjectionPtr = std::unique_ptr<const Projection>;
 
-/// That of the camera's kind; of one that cannot be rendered, a perspective one.
+/// That of the camera's kind.
 ProjectionPtr make_projection(const Camera& camera);
 
 /// The ray through one place, in picture coordinates; unit direction.

@@ -24,11 +24,11 @@ Rgb mean_of(const Rgb& sum, double count) {
 
 }  // namespace
 
-GridSampling::GridSampling(const AntialiasSettings& settings, Film& film)
+GridSampling::GridSampling(const AntialiasSettings& settings, Film& film, PlaceSampler& sampler)
     : film_(film),
       contrast_(settings),
       jitter_(settings, settings.depth),
-      round_(film),
+      sampler_(sampler),
       offsets_(grid_offsets(settings.depth)),
       edge_(static_cast<std::size_t>(film.width()) + static_cast<std::size_t>(film.height())),
       supersampled_(film.pixels()),
@@ -47,28 +47,28 @@ void GridSampling::make_blocks(int block_size) {
 
 std::span<const SamplePoint> GridSampling::next() {
   collect();
-  round_.clear();
+  sampler_.clear();
   if (edge_asked_ < edge_.size()) {
     ask_for_edge();
   } else {
     if (wanted_end_ == wanted_.size()) decide();
     ask_for_grids();
   }
-  const std::span<const SamplePoint> points = round_.begin();
-  if (asked_ == Asked::grids) show_grids();
+  const std::span<const SamplePoint> points = sampler_.begin();
+  if (asked_ == Asked::grids && !sampler_.has_blur()) show_grids();
   return points;
 }
 
 void GridSampling::ask_for_edge() {
   asked_ = Asked::edge;
   const auto width = static_cast<std::size_t>(film_.width());
-  for (; edge_asked_ < edge_.size() && round_.has_room(1); ++edge_asked_) {
+  for (; edge_asked_ < edge_.size() && sampler_.has_room(1); ++edge_asked_) {
     if (edge_asked_ < width) {
       const int x = static_cast<int>(edge_asked_);
-      round_.add({static_cast<double>(x), -1.0}, pixel_at(x, 0));
+      sampler_.add({static_cast<double>(x), -1.0}, pixel_at(x, 0));
     } else {
       const int y = static_cast<int>(edge_asked_ - width);
-      round_.add({-1.0, static_cast<double>(y)}, pixel_at(0, y));
+      sampler_.add({-1.0, static_cast<double>(y)}, pixel_at(0, y));
     }
   }
 }
@@ -77,12 +77,12 @@ void GridSampling::ask_for_grids() {
   asked_ = Asked::grids;
   wanted_begin_ = wanted_end_;
   const std::size_t count = offsets_.size() * offsets_.size();
-  for (; wanted_end_ < wanted_.size() && round_.has_room(count); ++wanted_end_) {
+  for (; wanted_end_ < wanted_.size() && sampler_.has_room(count); ++wanted_end_) {
     const std::uint32_t pixel = wanted_[wanted_end_].pixel;
     const double x = pixel % static_cast<std::uint32_t>(film_.width());
     const double y = pixel / static_cast<std::uint32_t>(film_.width());
     for (const double dy : offsets_) {
-      for (const double dx : offsets_) round_.add(jitter_.move({x + dx, y + dy}), pixel);
+      for (const double dx : offsets_) sampler_.add(jitter_.move({x + dx, y + dy}), pixel);
     }
   }
 }
@@ -97,16 +97,16 @@ void GridSampling::show_grids() {
 
 void GridSampling::collect() {
   if (asked_ == Asked::edge) {
-    const std::size_t first = edge_asked_ - round_.size();
-    for (std::uint32_t i = 0; i < round_.size(); ++i) edge_[first + i] = round_.color(i);
+    const std::size_t first = edge_asked_ - sampler_.size();
+    for (std::uint32_t i = 0; i < sampler_.size(); ++i) edge_[first + i] = sampler_.color(i);
   }
   if (asked_ != Asked::grids) return;
   const std::size_t count = offsets_.size() * offsets_.size();
   std::uint32_t sample = 0;
   for (std::size_t i = wanted_begin_; i < wanted_end_; ++i) {
     const auto [pixel, sure] = wanted_[i];
-    Rgb sum = film_.sample_color(pixel);
-    for (std::size_t k = 0; k < count; ++k) sum += round_.color(sample++);
+    Rgb sum = sampler_.pixel_color(pixel);
+    for (std::size_t k = 0; k < count; ++k) sum += sampler_.color(sample++);
     supersampled_[pixel] = mean_of(sum, static_cast<double>(count + 1));
     has_grid_[pixel] = true;
     if (sure) film_.refine(pixel, supersampled_[pixel], 0.0f);
@@ -134,7 +134,7 @@ void GridSampling::look_at(const Block& block) {
       } else if (x < 0) {
         encoded_.push_back(contrast_.encode(edge_[width + static_cast<std::size_t>(y)]));
       } else {
-        encoded_.push_back(contrast_.encode(film_.sample_color(pixel_at(x, y))));
+        encoded_.push_back(contrast_.encode(sampler_.pixel_color(pixel_at(x, y))));
       }
     }
   }
@@ -185,7 +185,7 @@ bool GridSampling::decide(const Block& block, bool guess) {
       const std::uint32_t pixel = pixel_at(x, y);
       const Answer answer = answers_[cell_of(x, y)];
       if (answer == Answer::no) {
-        film_.settle(pixel);
+        sampler_.settle(pixel);
       } else if (answer == Answer::yes && has_grid_[pixel]) {
         film_.refine(pixel, supersampled_[pixel], 0.0f);
       } else {

@@ -1,8 +1,11 @@
 #pragma once
 
-#include "render/film/antialias.h"
+#include "render/film/antialias_settings.h"
 #include "render/film/contrast.h"
-#include "render/film/sample_round.h"
+#include "render/film/film.h"
+#include "render/film/jitter.h"
+#include "render/film/place_sampler.h"
+#include "render/film/sample_rounds.h"
 
 #include <cstdint>
 #include <optional>
@@ -17,9 +20,9 @@ namespace firstlight::render {
 /// POV-Ray decides pixel by pixel, within a block of pixels, and compares with what the neighbours are by then: they
 /// may have a grid already. Here all pixels are decided at once, as far as what they are compared with is known; the
 /// rest after the next round.
-class GridSampling final : public Antialiasing::Method {
+class GridSampling final : public SampleRounds {
  public:
-  GridSampling(const AntialiasSettings& settings, Film& film);
+  GridSampling(const AntialiasSettings& settings, Film& film, PlaceSampler& sampler);
   std::span<const SamplePoint> next() override;
 
  private:
@@ -55,7 +58,7 @@ class GridSampling final : public Antialiasing::Method {
   Film& film_;
   Contrast contrast_;
   Jitter jitter_;
-  SampleRound round_;
+  PlaceSampler& sampler_;  ///< of the round
   std::vector<double> offsets_;    ///< of the grid's columns, and of its rows, from the middle of the pixel
   std::vector<Rgb> edge_;          ///< just outside: the row above the picture, then the column on its left
   std::size_t edge_asked_ = 0;     ///< how many of them are traced or asked for

@@ -17,11 +17,11 @@ Rgb mean_of(const Corners& corners) {
 
 }  // namespace
 
-Halving::Halving(const AntialiasSettings& settings, Film& film)
+Halving::Halving(const AntialiasSettings& settings, Film& film, PlaceSampler& sampler)
     : film_(film),
       contrast_(settings),
       jitter_(settings, (1 << settings.depth) + 1),
-      round_(film),
+      sampler_(sampler),
       side_(1u << settings.depth),
       edge_(static_cast<std::size_t>(film.width()) + static_cast<std::size_t>(film.height()) + 1),
       levels_(static_cast<std::size_t>(settings.depth - 1)) {}
@@ -29,23 +29,23 @@ Halving::Halving(const AntialiasSettings& settings, Film& film)
 std::span<const SamplePoint> Halving::next() {
   if (!pixels_looked_at_) {
     collect_edge();
-    round_.clear();
+    sampler_.clear();
     if (edge_asked_ < edge_.size()) {
       ask_for_edge();
-      return round_.begin();
+      return sampler_.begin();
     }
     look_at_pixels();
   } else {
     collect_middles();
   }
-  round_.clear();
+  sampler_.clear();
   ask_for_middles();
-  return round_.begin();
+  return sampler_.begin();
 }
 
 void Halving::ask_for_edge() {
   const auto height = static_cast<std::size_t>(film_.height());
-  for (; edge_asked_ < edge_.size() && round_.has_room(1); ++edge_asked_) {
+  for (; edge_asked_ < edge_.size() && sampler_.has_room(1); ++edge_asked_) {
     PicturePoint corner;
     if (edge_asked_ <= height) {
       corner = {static_cast<double>(film_.width()), static_cast<double>(edge_asked_)};
@@ -54,13 +54,13 @@ void Halving::ask_for_edge() {
     }
     const auto x = std::min(static_cast<std::uint32_t>(corner.x), static_cast<std::uint32_t>(film_.width() - 1));
     const auto y = std::min(static_cast<std::uint32_t>(corner.y), static_cast<std::uint32_t>(film_.height() - 1));
-    round_.add({corner.x - 0.5, corner.y - 0.5}, y * static_cast<std::uint32_t>(film_.width()) + x);
+    sampler_.add({corner.x - 0.5, corner.y - 0.5}, y * static_cast<std::uint32_t>(film_.width()) + x);
   }
 }
 
 void Halving::collect_edge() {
-  const std::size_t first = edge_asked_ - round_.size();
-  for (std::uint32_t i = 0; i < round_.size(); ++i) edge_[first + i] = round_.color(i);
+  const std::size_t first = edge_asked_ - sampler_.size();
+  for (std::uint32_t i = 0; i < sampler_.size(); ++i) edge_[first + i] = sampler_.color(i);
 }
 
 bool Halving::differ(const Corners& encoded) const {
@@ -86,7 +86,7 @@ void Halving::look_at_pixels() {
     for (std::uint32_t x = 0; x <= width; ++x) {
       row.colors.push_back(x == width    ? edge_[y]
                            : y == height ? edge_[std::size_t{height} + 1 + x]
-                                         : film_.sample_color(y * width + x));
+                                         : sampler_.pixel_color(y * width + x));
       row.encoded.push_back(contrast_.encode(row.colors.back()));
     }
     return row;
@@ -128,7 +128,7 @@ void Halving::ask_for_middles() {
   const std::uint32_t step = side_ >> level_;
   const std::uint32_t half = step / 2;
   places_.begin(std::min<std::size_t>(film_.room(), 5 * level.open()));
-  for (std::size_t i = level.begin; i < level.cells.size() && round_.has_room(5); ++i) {
+  for (std::size_t i = level.begin; i < level.cells.size() && sampler_.has_room(5); ++i) {
     const Cell& cell = level.cells[i];
     middles_.push_back({sample_at(cell, half, 0), sample_at(cell, 0, half), sample_at(cell, half, half),
                         sample_at(cell, step, half), sample_at(cell, half, step)});
@@ -143,7 +143,7 @@ std::uint32_t Halving::sample_at(const Cell& cell, std::uint32_t x, std::uint32_
   std::uint32_t& sample = places_.at(column * side_ + cell.x + x, row * side_ + cell.y + y);
   if (sample == PlaceTable::kNone) {
     sample =
-        round_.add(jitter_.move({column - 0.5 + (cell.x + x) * step, row - 0.5 + (cell.y + y) * step}), cell.pixel);
+        sampler_.add(jitter_.move({column - 0.5 + (cell.x + x) * step, row - 0.5 + (cell.y + y) * step}), cell.pixel);
   }
   return sample;
 }
@@ -157,11 +157,11 @@ void Halving::collect_middles() {
   for (const Middles& middles : middles_) {
     const Cell& cell = level.cells[level.begin++];
     const auto& [upper_left, upper_right, lower_left, lower_right] = cell.corners;
-    const Rgb top = round_.color(middles.top);
-    const Rgb left = round_.color(middles.left);
-    const Rgb middle = round_.color(middles.middle);
-    const Rgb right = round_.color(middles.right);
-    const Rgb bottom = round_.color(middles.bottom);
+    const Rgb top = sampler_.color(middles.top);
+    const Rgb left = sampler_.color(middles.left);
+    const Rgb middle = sampler_.color(middles.middle);
+    const Rgb right = sampler_.color(middles.right);
+    const Rgb bottom = sampler_.color(middles.bottom);
     const std::array<Corners, 4> quarters{
         Corners{upper_left, top, left, middle}, Corners{top, upper_right, middle, right},
         Corners{left, middle, lower_left, bottom}, Corners{middle, right, bottom, lower_right}};

@@ -1,9 +1,12 @@
 #pragma once
 
-#include "render/film/antialias.h"
+#include "render/film/antialias_settings.h"
 #include "render/film/contrast.h"
+#include "render/film/film.h"
+#include "render/film/jitter.h"
+#include "render/film/place_sampler.h"
 #include "render/film/place_table.h"
-#include "render/film/sample_round.h"
+#include "render/film/sample_rounds.h"
 
 #include <array>
 #include <cstdint>
@@ -16,9 +19,9 @@ namespace firstlight::render {
 ///
 /// Quarters are looked at level by level over the whole picture, so that the corners they share, also with quarters of
 /// other pixels, are traced once.
-class Halving final : public Antialiasing::Method {
+class Halving final : public SampleRounds {
  public:
-  Halving(const AntialiasSettings& settings, Film& film);
+  Halving(const AntialiasSettings& settings, Film& film, PlaceSampler& sampler);
   std::span<const SamplePoint> next() override;
 
  private:
@@ -58,7 +61,7 @@ class Halving final : public Antialiasing::Method {
   Film& film_;
   Contrast contrast_;
   Jitter jitter_;
-  SampleRound round_;
+  PlaceSampler& sampler_;  ///< of the round
   PlaceTable places_;      ///< of the samples of the round
   std::uint32_t side_;     ///< of a pixel, in finest steps
   std::vector<Rgb> edge_;  ///< corners on the right edge of the picture from the top, then on the lower one

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "render/film/antialias_settings.h"
+#include "render/math/place_jitter.h"
 
 namespace firstlight::render {
 
@@ -18,7 +19,11 @@ class Jitter {
   Jitter(const AntialiasSettings& settings, int cells)
       : scale_(settings.jitter ? static_cast<double>(static_cast<float>(settings.jitter_amount)) / cells : 0.0) {}
 
-  PicturePoint move(const PicturePoint& place) const;
+  PicturePoint move(const PicturePoint& place) const {
+    if (scale_ <= 0.0) return place;
+    const PlaceJitter jitter = place_jitter(place.x, place.y);
+    return {place.x + jitter.x * scale_, place.y + jitter.y * scale_};
+  }
 
  private:
   double scale_;

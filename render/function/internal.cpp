@@ -1,6 +1,7 @@
 #include "render/function/internal.h"
 
 #include <algorithm>
+#include <array>
 #include <memory>
 
 namespace firstlight::render {
@@ -11,6 +12,14 @@ class Internal final : public Function {
   explicit Internal(const InternalFunction& row) : Function(row.parameters, 1, 20), formula_(row.formula) {}
   void evaluate(const double* arguments, double* results, Evaluation& evaluation) const override {
     *results = formula_(arguments, evaluation);
+  }
+  void evaluate_many(const double* const* arguments, double* const* results, std::size_t count,
+                     Evaluation& evaluation) const override {
+    std::array<double, kMostParameters> point;
+    for (std::size_t i = 0; i < count; ++i) {
+      for (std::size_t p = 0; p < parameter_count(); ++p) point[p] = arguments[p][i];
+      results[0][i] = formula_(point.data(), evaluation);
+    }
   }
 
  private:

@@ -13,9 +13,12 @@ namespace {
 constexpr std::size_t kPointsAtOnce = 32;
 using Row = std::array<double, kPointsAtOnce>;
 
-bool is_flat(std::span<const Instruction> instructions) {
-  return std::none_of(instructions.begin(), instructions.end(), [](const Instruction& i) {
-    return i.operation >= Operation::local && i.operation <= Operation::end_product;
+/// Rows of all programs that call each other stand on the machine's stack.
+constexpr std::uint32_t kDeepestInRows = 40;
+
+bool has_loops(std::span<const Instruction> instructions) {
+  return std::any_of(instructions.begin(), instructions.end(), [](const Instruction& i) {
+    return i.operation >= Operation::loop && i.operation <= Operation::end_product;
   });
 }
 
@@ -25,11 +28,15 @@ FeatureUses unrendered_of(std::span<const FunctionPtr> callees) {
   return all;
 }
 
+/// Of red, green and blue; the weights of POV-Ray's grey scale, added in its order.
+double mixed(double red, double green, double blue, std::uint8_t component) {
+  if (component == kGrayComponent) return red * 0.297 + green * 0.589 + blue * 0.114;
+  return (red + green * (1.0 / 255.0)) * 0.996093;  // kHeightComponent
+}
+
 double component_of(const double* results, std::uint8_t component) {
-  // The weights of POV-Ray's grey scale, added in its order.
-  if (component == kGrayComponent) return results[0] * 0.297 + results[1] * 0.589 + results[2] * 0.114;
-  if (component == kHeightComponent) return (results[0] + results[1] * (1.0 / 255.0)) * 0.996093;
-  return results[component];
+  if (component < Function::kMostResults) return results[component];
+  return mixed(results[0], results[1], results[2], component);
 }
 
 /// The values of one evaluation, and the place in the program.
@@ -69,6 +76,22 @@ struct Machine {
   }
 };
 
+/// `values`: the rows of the arguments, the first of which becomes the result's.
+void call_in_rows(const Function& callee, std::uint8_t component, Row* values, std::size_t count,
+                  Evaluation& evaluation) {
+  std::array<const double*, Function::kMostParameters> arguments;
+  for (std::size_t p = 0; p < callee.parameter_count(); ++p) arguments[p] = values[p].data();
+  std::array<Row, Function::kMostResults> rows;
+  std::array<double*, Function::kMostResults> results;
+  for (std::size_t r = 0; r < rows.size(); ++r) results[r] = rows[r].data();
+  callee.evaluate_many(arguments.data(), results.data(), count, evaluation);
+  if (component < Function::kMostResults) {
+    std::copy_n(rows[component].begin(), count, values[0].begin());
+    return;
+  }
+  for (std::size_t i = 0; i < count; ++i) values[0][i] = mixed(rows[0][i], rows[1][i], rows[2][i], component);
+}
+
 }  // namespace
 
 ProgramSize size_of(std::span<const Instruction> instructions, std::span<const FunctionPtr> callees) {
@@ -87,7 +110,7 @@ Program::Program(std::vector<Instruction> instructions, std::size_t parameters, 
                unrendered_of(callees)),
       instructions_(std::move(instructions)),
       callees_(std::move(callees)),
-      flat_(is_flat(instructions_)) {}
+      in_rows_(!has_loops(instructions_) && depth() <= kDeepestInRows) {}
 
 void Program::evaluate(const double* arguments, double* results, Evaluation& evaluation) const {
   Machine m;
@@ -143,32 +166,43 @@ double Program::evaluate(std::span<const double> arguments) const {
   return result;
 }
 
-void Program::evaluate_one_by_one(std::span<const std::span<const double>> arguments, std::span<double> results) const {
-  std::vector<double> point(arguments.size());
+void Program::evaluate(std::span<const std::span<const double>> arguments, std::span<double> results) const {
+  std::array<const double*, kMostParameters> columns;
+  for (std::size_t p = 0; p < arguments.size(); ++p) columns[p] = arguments[p].data();
+  double* const result = results.data();
   Evaluation evaluation;
-  for (std::size_t i = 0; i < results.size(); ++i) {
-    for (std::size_t p = 0; p < arguments.size(); ++p) point[p] = i < arguments[p].size() ? arguments[p][i] : 0.0;
-    evaluate(point.data(), &results[i], evaluation);
-  }
+  evaluate_many(columns.data(), &result, results.size(), evaluation);
 }
 
-void Program::evaluate(std::span<const std::span<const double>> arguments, std::span<double> results) const {
-  if (!flat_) return evaluate_one_by_one(arguments, results);
+void Program::evaluate_many(const double* const* arguments, double* const* results, std::size_t points,
+                            Evaluation& evaluation) const {
+  if (!in_rows_) return Function::evaluate_many(arguments, results, points, evaluation);
   std::array<Row, kDeepest> stack;
-  for (std::size_t begin = 0; begin < results.size(); begin += kPointsAtOnce) {
-    const std::size_t count = std::min(kPointsAtOnce, results.size() - begin);
+  for (std::size_t begin = 0; begin < points; begin += kPointsAtOnce) {
+    const std::size_t count = std::min(kPointsAtOnce, points - begin);
     std::size_t size = 0;
     for (const Instruction& instruction : instructions_) {
-      const auto taken = static_cast<std::size_t>(operands(instruction.operation));
-      if (taken == 0) {
-        Row& row = stack[size++];
-        if (instruction.operation == Operation::constant) {
-          std::fill_n(row.begin(), count, instruction.value);
-        } else {
-          std::copy_n(arguments[instruction.index].begin() + static_cast<std::ptrdiff_t>(begin), count, row.begin());
+      switch (instruction.operation) {
+        case Operation::constant:
+          std::fill_n(stack[size++].begin(), count, instruction.value);
+          continue;
+        case Operation::parameter:
+          std::copy_n(arguments[instruction.index] + begin, count, stack[size++].begin());
+          continue;
+        case Operation::local:
+          std::copy_n(stack[instruction.index].begin(), count, stack[size++].begin());
+          continue;
+        case Operation::call: {
+          const Function& callee = *callees_[instruction.index];
+          size -= callee.parameter_count();
+          call_in_rows(callee, instruction.component, &stack[size], count, evaluation);
+          ++size;
+          continue;
         }
-        continue;
+        default:
+          break;
       }
+      const auto taken = static_cast<std::size_t>(operands(instruction.operation));
       size -= taken - 1;
       Row& a = stack[size - 1];
       const Row* further = &stack[size];
@@ -185,7 +219,7 @@ void Program::evaluate(std::span<const std::span<const double>> arguments, std::
         each([&](std::size_t i) { return render::select(a[i], further[0][i], further[1][i], further[2][i]); });
       }
     }
-    std::copy_n(stack[0].begin(), count, results.begin() + static_cast<std::ptrdiff_t>(begin));
+    std::copy_n(stack[0].begin(), count, results[0] + begin);
   }
 }
 

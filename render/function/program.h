@@ -33,13 +33,14 @@ class Program final : public Function {
   /// results[i] = value at arguments[p][i] for parameter p. Pre: as many columns as parameters, each as long as
   /// results.
   void evaluate(std::span<const std::span<const double>> arguments, std::span<double> results) const;
+  void evaluate_many(const double* const* arguments, double* const* results, std::size_t count,
+                     Evaluation& evaluation) const override;
 
  private:
-  void evaluate_one_by_one(std::span<const std::span<const double>> arguments, std::span<double> results) const;
 
   std::vector<Instruction> instructions_;
   std::vector<FunctionPtr> callees_;
-  bool flat_;  ///< without calls and loops
+  bool in_rows_;  ///< many points can be worked on side by side
 };
 
 /// A program, or what is wrong with the text it was to be made of.

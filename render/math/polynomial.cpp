@@ -1,142 +1,153 @@
 #include "render/math/polynomial.h"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
-#include <cstddef>
+#include <cstdint>
+#include <type_traits>
 
 namespace firstlight::render {
 namespace {
 
-template <std::size_t N>
-double value(const std::array<double, N>& c, double x) {
-  double sum = c[N - 1];
-  for (std::size_t i = N - 1; i-- > 0;) sum = sum * x + c[i];
+/// An interval is not halved further when it is so small beside its distance from 0: there two roots that are so near are
+/// told apart by rounding alone.
+constexpr double kNarrow = 0x1p-22;
+constexpr double kEnough = 1e-9;  ///< a step so small, relative to the root, is the last: the error is its cube
+constexpr int kMostRounds = 80;
+
+/// 1 / (n over k), for k from 0 to n, of all n.
+constexpr auto kInverseBinomials = [] {
+  std::array<std::array<double, kMostOrder + 1>, kMostOrder + 1> inverse{};
+  for (std::size_t n = 0; n <= kMostOrder; ++n) {
+    double binomial = 1.0;
+    for (std::size_t k = 0; k <= n; ++k) {
+      inverse[n][k] = 1.0 / binomial;
+      binomial = binomial * static_cast<double>(n - k) / static_cast<double>(k + 1);
+    }
+  }
+  return inverse;
+}();
+
+template <class Order>
+double value(const double* c, Order order, double x) {
+  double sum = c[order];
+  for (std::size_t i = order; i-- > 0;) sum = sum * x + c[i];
   return sum;
 }
 
-double value(std::span<const double> c, double x) {
-  double sum = c.back();
-  for (std::size_t i = c.size() - 1; i-- > 0;) sum = sum * x + c[i];
-  return sum;
+/// Coefficients in Bernstein's basis over [begin, begin + width].
+template <class Order>
+void find_bernstein(const double* c, Order order, double begin, double width, double* b) {
+  const std::size_t n = order;
+  for (std::size_t i = 0; i <= n; ++i) b[i] = c[i];
+  for (std::size_t k = 0; k < n; ++k) {
+    for (std::size_t i = n; i-- > k;) b[i] += begin * b[i + 1];
+  }
+  double power = 1.0;
+  for (std::size_t i = 1; i <= n; ++i) {
+    power *= width;
+    b[i] *= power * kInverseBinomials[n][i];
+  }
+  for (std::size_t k = 1; k <= n; ++k) {
+    for (std::size_t i = n; i >= k; --i) b[i] += b[i - 1];
+  }
 }
 
-template <std::size_t N>
-std::array<double, N - 1> derivative(const std::array<double, N>& c) {
-  std::array<double, N - 1> d;
-  for (std::size_t i = 1; i < N; ++i) d[i - 1] = static_cast<double>(i) * c[i];
-  return d;
-}
-
-/// The root between `a` and `b`, where the curve is monotone and changes sign: Newton's steps, kept in the bracket by
-/// bisection.
-template <class Curve, class Slope>
-double bracketed_root(const Curve& c, const Slope& slope, double a, double b, bool negative_at_a) {
-  const double enough = 1e-15 * std::max({std::abs(a), std::abs(b), b - a});
-  double x = 0.5 * (a + b);
-  for (int round = 0; round < 80; ++round) {
-    const double f = value(c, x);
+/// The root between `a` and `b`, where the curve changes sign: Halley's steps from x, kept in the bracket by halving.
+template <class Order>
+double bracketed_root(const double* c, Order order, double a, double b, bool negative_at_a, double x) {
+  for (int round = 0; round < kMostRounds; ++round) {
+    double f = c[order];
+    double slope = 0.0;
+    double bend = 0.0;  // half the second derivative
+    for (std::size_t i = order; i-- > 0;) {
+      bend = bend * x + slope;
+      slope = slope * x + f;
+      f = f * x + c[i];
+    }
     if ((f < 0.0) == negative_at_a) {
       a = x;
     } else {
       b = x;
     }
-    double next = x - f / value(slope, x);
-    if (!(next > a && next < b)) next = 0.5 * (a + b);
+    double next = x - f * slope / (slope * slope - f * bend);
     const double step = std::abs(next - x);
+    if (step <= kEnough * std::abs(next)) return std::clamp(next, a, b);
+    if (!(next > a && next < b)) {
+      next = 0.5 * (a + b);
+      if (!(next > a && next < b)) break;
+    }
     x = next;
-    if (step <= enough || b - a <= enough) break;
   }
   return x;
 }
 
-/// Numerically stable quadratic formula.
-int roots_between(const std::array<double, 3>& c, double low, double high, std::array<double, 2>& roots) {
-  double x1;
-  double x2;
-  int count = 0;
-  if (c[2] == 0.0) {
-    if (c[1] == 0.0) return 0;
-    x1 = x2 = -c[0] / c[1];
-    if (x1 >= low && x1 <= high) roots[static_cast<std::size_t>(count++)] = x1;
-    return count;
-  }
-  const double discriminant = c[1] * c[1] - 4.0 * c[2] * c[0];
-  if (!(discriminant >= 0.0)) return 0;
-  const double q = -0.5 * (c[1] + std::copysign(std::sqrt(discriminant), c[1]));
-  x1 = q / c[2];
-  x2 = q != 0.0 ? c[0] / q : x1;
-  if (x1 > x2) std::swap(x1, x2);
-  if (x1 >= low && x1 <= high) roots[static_cast<std::size_t>(count++)] = x1;
-  if (x2 >= low && x2 <= high && x2 != x1) roots[static_cast<std::size_t>(count++)] = x2;
-  return count;
-}
-
-template <std::size_t N>
-int roots_between(const std::array<double, N>& c, double low, double high, std::array<double, N - 1>& roots) {
-  const std::array<double, N - 1> slope = derivative(c);
-  std::array<double, N - 2> turns;
-  const int turn_count = roots_between(slope, low, high, turns);
-  int count = 0;
-  double a = low;
-  bool negative_at_a = value(c, a) < 0.0;
-  for (int i = 0; i <= turn_count; ++i) {
-    const double b = i < turn_count ? turns[static_cast<std::size_t>(i)] : high;
-    const bool negative_at_b = value(c, b) < 0.0;
-    if (negative_at_a != negative_at_b) {
-      roots[static_cast<std::size_t>(count++)] = bracketed_root(c, slope, a, b, negative_at_a);
-    }
-    a = b;
-    negative_at_a = negative_at_b;
-  }
-  return count;
-}
-
 }  // namespace
 
-int quartic_roots(const std::array<double, 5>& c, double low, double high, std::array<double, 4>& roots) {
-  return low < high ? roots_between(c, low, high, roots) : 0;
-}
-
-int cubic_roots(const std::array<double, 4>& c, double low, double high, std::array<double, 3>& roots) {
-  return low < high ? roots_between(c, low, high, roots) : 0;
-}
-
-std::size_t polynomial_roots(std::span<const double> c, double low, double high, std::span<double> roots) {
-  if (c.size() < 2 || !(low < high)) return 0;
-  // The derivatives, from the polynomial itself down to a straight line, one behind the other.
-  std::array<std::array<double, kMostOrder + 1>, kMostOrder> derivatives;
+PolynomialRoots::PolynomialRoots(std::span<const double> c, double low, double high) : c_(c) {
+  if (c.size() < 2 || !(low < high)) return;
   const std::size_t order = c.size() - 1;
-  std::copy(c.begin(), c.end(), derivatives[0].begin());
-  for (std::size_t d = 1; d < order; ++d) {
-    for (std::size_t i = 0; i + d <= order; ++i) {
-      derivatives[d][i] = static_cast<double>(i + 1) * derivatives[d - 1][i + 1];
+  waiting_[waiting_count_++] = {low, high, value(c.data(), order, low), value(c.data(), order, high)};
+}
+
+template <class Order>
+bool PolynomialRoots::next(Order order, double& root) {
+  const double* c = c_.data();
+  constexpr std::size_t kRoom = std::is_same_v<Order, std::size_t> ? kMostOrder : std::size_t{Order()};
+  while (waiting_count_ > 0) {
+    const Interval here = waiting_[--waiting_count_];
+    const double width = here.end - here.begin;
+    std::array<double, kRoom + 1> b;
+    find_bernstein(c, order, here.begin, width, b.data());
+    b[0] = here.at_begin;
+    b[order] = here.at_end;
+    std::uint64_t negative = 0;
+    for (std::size_t i = 0; i <= order; ++i) negative |= std::uint64_t{b[i] < 0.0} << i;
+    const std::uint64_t changes = (negative ^ (negative >> 1)) & ((std::uint64_t{1} << order) - 1);
+    if (changes == 0) continue;
+    const bool negative_at_begin = here.at_begin < 0.0;
+    if ((changes & (changes - 1)) == 0) {
+      // The polygon of the coefficients crosses zero near the root.
+      const auto i = static_cast<std::size_t>(std::countr_zero(changes));
+      const double share = (static_cast<double>(i) + b[i] / (b[i] - b[i + 1])) / static_cast<double>(order);
+      root = bracketed_root(c, order, here.begin, here.end, negative_at_begin, here.begin + width * share);
+      return true;
     }
-  }
-  std::array<double, kMostOrder> turns;
-  std::array<double, kMostOrder> found;
-  std::size_t count = 0;
-  for (std::size_t d = order; d-- > 0;) {
-    const std::span<const double> here{derivatives[d].data(), order - d + 1};
-    const std::size_t turn_count = count;
-    std::copy_n(found.begin(), turn_count, turns.begin());
-    count = 0;
-    double a = low;
-    bool negative_at_a = value(here, a) < 0.0;
-    for (std::size_t i = 0; i <= turn_count; ++i) {
-      const double b = i < turn_count ? turns[i] : high;
-      const bool negative_at_b = value(here, b) < 0.0;
-      if (negative_at_a != negative_at_b) {
-        const std::span<const double> slope =
-            d + 1 < order ? std::span<const double>{derivatives[d + 1].data(), order - d}
-                          : std::span<const double>{&derivatives[d][1], 1};
-        found[count++] = bracketed_root(here, slope, a, b, negative_at_a);
-      }
-      a = b;
-      negative_at_a = negative_at_b;
+    const double middle = 0.5 * (here.begin + here.end);
+    if (halvings_left_ == 0 || width <= kNarrow * std::max(std::abs(here.begin), std::abs(here.end))) {
+      if (negative_at_begin == (here.at_end < 0.0)) continue;
+      root = bracketed_root(c, order, here.begin, here.end, negative_at_begin, middle);
+      return true;
     }
+    --halvings_left_;
+    const double at_middle = value(c, order, middle);
+    waiting_[waiting_count_++] = {middle, here.end, at_middle, here.at_end};
+    waiting_[waiting_count_++] = {here.begin, middle, here.at_begin, at_middle};
   }
-  std::copy_n(found.begin(), count, roots.begin());
-  return count;
+  return false;
+}
+
+bool PolynomialRoots::next(double& root) {
+  if (waiting_count_ == 0) return false;
+  switch (c_.size() - 1) {
+    case 1: return next(std::integral_constant<std::size_t, 1>(), root);
+    case 2: return next(std::integral_constant<std::size_t, 2>(), root);
+    case 3: return next(std::integral_constant<std::size_t, 3>(), root);
+    case 4: return next(std::integral_constant<std::size_t, 4>(), root);
+    case 6: return next(std::integral_constant<std::size_t, 6>(), root);
+    default: return next(c_.size() - 1, root);
+  }
+}
+
+double root_bound(std::span<const double> c) {
+  const auto exponent = [](double x) { return static_cast<double>((std::bit_cast<std::uint64_t>(x) >> 52) & 0x7ff); };
+  const std::size_t order = c.size() - 1;
+  const double last = exponent(c[order]);
+  double largest = -1000.0;
+  for (std::size_t k = 1; k <= order; ++k) {
+    largest = std::max(largest, (exponent(c[order - k]) + 1.0 - last) / static_cast<double>(k));
+  }
+  return std::ldexp(1.0, static_cast<int>(std::ceil(largest)) + 1);
 }
 
 }  // namespace firstlight::render

@@ -19,7 +19,6 @@
 
 namespace firstlight::render {
 
-struct Form;
 struct Object;
 
 using ObjectList = std::shared_ptr<const std::vector<Object>>;  ///< null: none
@@ -28,12 +27,10 @@ ObjectList make_object_list(std::vector<Object> objects);
 
 /// What few objects have.
 struct ObjectExtras {
-  std::shared_ptr<const Form> form = {};  ///< of Kind::shape, where the shape is described and not made: `shape` is
-                                          ///< null then
-  Shared<Light> light = {};               ///< of Kind::light
-  ObjectList clipped_by = {};             ///< points of the surface outside any of these are cut away
-  ObjectList bounded_by = {};             ///< rays that miss any of these miss the object
-  bool bounds_are_clips = false;          ///< bounded_by { clipped_by }
+  Shared<Light> light = {};       ///< of Kind::light
+  ObjectList clipped_by = {};     ///< points of the surface outside any of these are cut away
+  ObjectList bounded_by = {};     ///< rays that miss any of these miss the object
+  bool bounds_are_clips = false;  ///< bounded_by { clipped_by }
 
   std::vector<TexturePtr> shape_textures = {};  ///< of Kind::shape: the shape's own list, in its space
   TexturePtr interior_texture = {};  ///< seen from inside; null: inherited, or as outside

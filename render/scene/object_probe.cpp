@@ -2,9 +2,7 @@
 
 #include "render/scene/extent.h"
 #include "render/scene/region.h"
-#include "render/scene/walk_members.h"
 
-#include <algorithm>
 #include <limits>
 #include <utility>
 #include <vector>
@@ -12,28 +10,12 @@
 namespace firstlight::render {
 namespace {
 
-using Objects = std::shared_ptr<const std::vector<Object>>;
-
 /// Nearer crossings are taken for the surface that the ray begins on. [POV-Ray 3.7]
 constexpr double kNearest = 1e-4;
 
-bool are_made(const Objects& objects) { return !objects || std::all_of(objects->begin(), objects->end(), is_made); }
-
 }  // namespace
 
-bool is_made(const Object& object) {
-  bool made = true;
-  const auto look = [&made](const Object& part, bool) {
-    made = made && (part.kind != Object::Kind::shape || part.shape) && are_made(part.extras->clipped_by) &&
-           are_made(part.extras->bounded_by);
-    return std::optional(true);
-  };
-  look(object, true);
-  walk_members(object, true, look, [](const Object&, bool) {});
-  return made;
-}
-
-ObjectProbe::ObjectProbe(const Object& object) : complete_(is_made(object)) {
+ObjectProbe::ObjectProbe(const Object& object) {
   std::optional<Solid> solid = region(object, Transform(), false);
   if (!solid) return;
   if (object.cramped) solid->set_extent(extent(object));

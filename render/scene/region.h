@@ -21,8 +21,7 @@ const ObjectList& bounds_of(const Object& object);
 /// The shape of an object that is one, where it stands.
 ShapePtr placed_shape(const Object& object, const Transform& to_world, bool inverted);
 
-/// The geometry of an object without its surfaces: where it is, not how it looks. Nothing for lights, and for shapes
-/// that are described and not made.
+/// The geometry of an object without its surfaces: where it is, not how it looks. Nothing for lights.
 std::optional<Solid> region(const Object& object, const Transform& to_world, bool inverted);
 std::vector<Solid> regions(const ObjectList& objects, const Transform& to_world);
 /// The bounds of an object: rays that miss the box of such a region miss it.

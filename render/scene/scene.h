@@ -91,7 +91,6 @@ struct Scene {
   std::vector<std::uint32_t> shape_textures;  ///< the lists of all shapes that have some, into `textures`
   std::vector<Shared<Interior>> interiors;
   std::vector<ObjectGroup> objects;
-  std::size_t described = 0;    ///< top-level objects that are no solids, for they cannot be rendered
   FeatureUses unrendered = {};  ///< of all that is in the scene: while not empty, no picture is right
   std::vector<std::vector<std::string>> light_names;  ///< SDL identifiers of each light, the outermost first
 };

@@ -86,16 +86,6 @@ bool needs_no_bounds(const Shape& shape) {
   return false;
 }
 
-bool has_form(const Object& object) {
-  bool found = object.extras->form != nullptr;
-  const auto look = [&found](const Object& member, bool) {
-    found = found || member.extras->form;
-    return std::optional(true);
-  };
-  walk_members(object, true, look, [](const Object&, bool) {});
-  return found;
-}
-
 /// Room for some more at once: a list that grows step by step is there twice while it moves.
 template <class T>
 void make_room(std::vector<T>& list, std::size_t more) {
@@ -223,7 +213,10 @@ void SceneBuilder::State::promote_finish(std::uint32_t texture, std::uint32_t in
   const Texture& look = textures.texture(texture);
   if (!look.layers.empty() && !look.layers.front().extras->patterned) {
     const Finish& finish = look.layers.front().finish;
-    if (finish.legacy_ior > 0.0) matter.change().ior = finish.legacy_ior;
+    if (finish.legacy_ior > 0.0) {
+      matter.change().ior = finish.legacy_ior;
+      matter.change().dispersion = 1.0;
+    }
     if (finish.legacy_caustics >= 0.0) matter.change().caustics = finish.legacy_caustics / 45.0;
     if (matter->refraction_scale != finish.legacy_refraction) {
       matter.change().refraction_scale = finish.legacy_refraction;
@@ -272,7 +265,6 @@ void SceneBuilder::State::add_solid(const Object& object, const Inherited& paren
   Solid& solid = scene->solids.emplace_back();
   if (!freeze(object, parent, true, solid) || !has_surface(solid)) {
     scene->solids.pop_back();
-    if (has_form(object)) ++scene->described;
     return;
   }
   if (object.cramped || !solid.is_plain()) solid.set_extent(extent(object, span_of(parent.moves)));
@@ -457,7 +449,7 @@ void SceneBuilder::add(const Object& object, const TexturePtr& default_texture) 
   state_->top = nullptr;
 }
 
-std::size_t SceneBuilder::object_count() const { return state_->scene->solids.size() + state_->scene->described; }
+std::size_t SceneBuilder::object_count() const { return state_->scene->solids.size(); }
 
 std::unique_ptr<const Scene> SceneBuilder::build() {
   state_->finish();

@@ -158,20 +158,6 @@ struct Change {
   bool enters;
 };
 
-/// The Bernstein coefficients of q between `low` and `high` on one side of 0: so is q.
-bool has_no_root(const Quartic& q, double low, double high) {
-  const double w = high - low;
-  const double a0 = low * (low * (low * (q[4] * low + q[3]) + q[2]) + q[1]) + q[0];
-  const double a1 = (2.0 * low * (2.0 * low * (q[4] * low + 0.75 * q[3]) + q[2]) + q[1]) * w;
-  const double a2 = (3.0 * low * (2.0 * q[4] * low + q[3]) + q[2]) * w * w;
-  const double a3 = (q[3] + 4.0 * q[4] * low) * w * w * w;
-  const double a4 = q[4] * w * w * w * w;
-  const std::array<double, 5> d = {a0, a0 + 0.25 * a1, a0 + 0.5 * (a1 + a2 / 3.0), a0 + 0.5 * (1.5 * a1 + a2 + 0.5 * a3),
-                                   a0 + a1 + a2 + a3 + a4};
-  return std::ranges::all_of(d, [](double x) { return x >= 0.0; }) ||
-         std::ranges::all_of(d, [](double x) { return x <= 0.0; });
-}
-
 /// A blob in its own space.
 struct Blob {
   static constexpr bool kIsLarge = true;
@@ -229,11 +215,10 @@ struct Blob {
       }
       const double low = changes[i].at;
       const double high = changes[i + 1].at;
-      if (std::abs(high - low) < kEpsilon || has_no_root(sum, low, high)) continue;
-      std::array<double, 4> roots;
-      const int root_count = quartic_roots(sum, low, high, roots);
-      for (int k = 0; k < root_count; ++k) {
-        const double depth = (roots[static_cast<std::size_t>(k)] * scale + start) / length;
+      if (std::abs(high - low) < kEpsilon) continue;
+      PolynomialRoots roots(sum, low, high);
+      for (double t; !met.is_enough() && roots.next(t);) {
+        const double depth = (t * scale + start) / length;
         if (depth > kNearest && depth < kMaxDistance) met.add(depth);
       }
       if (met.is_enough()) return;

@@ -128,10 +128,8 @@ struct Lathe {
     if (!is_level) equation[0] += dy2 * q;
     std::size_t order = 6;
     while (order > 0 && equation[order] == 0.0) --order;
-    std::array<double, 6> roots;
-    const std::size_t count = polynomial_roots({equation.data(), order + 1}, 0.0, 1.0, roots);
-    for (std::size_t k = 0; k < count; ++k) {
-      const double w = roots[k];
+    PolynomialRoots roots({equation.data(), order + 1}, 0.0, 1.0);
+    for (double w; roots.next(w);) {
       if (!is_level) {
         add((s.at(w).y - p.y) / d.y, w);
         continue;

@@ -20,9 +20,9 @@ using Corners = MeshParameters::Corners;
 struct Face {
   Corners corners;
   Imath::V3f normal;
-  float offset;        ///< normal . p + offset = 0
-  std::uint8_t u, v;   ///< the axes of the projection in which the outline is tested
-  bool swapped;        ///< the first two corners are exchanged
+  float offset;       ///< normal . p + offset = 0
+  std::uint8_t u, v;  ///< the axes of the projection in which the outline is tested
+  bool swapped;       ///< the first two corners are exchanged
 };
 
 /// The faces and what is said about them, in the mesh's own space.
@@ -53,6 +53,7 @@ class Faces {
     });
   }
 
+  Vec3 flat_normal(std::uint32_t index) const { return Vec3(faces_[index].normal); }
   Vec3 normal(const Vec3& point, std::uint32_t index) const {
     const Face& face = faces_[index];
     if (parameters_.face_normals.empty() || parameters_.face_normals[index] == MeshParameters::kNoCorners) {
@@ -105,7 +106,8 @@ class Faces {
     const int axis = dominant_axis(normal);
     face.u = axis == 0 ? 1 : 0;
     face.v = axis == 2 ? 1 : 2;
-    face.swapped = (b[face.u] - c[face.u]) * (b[face.v] - a[face.v]) < (b[face.v] - c[face.v]) * (b[face.u] - a[face.u]);
+    face.swapped =
+        (b[face.u] - c[face.u]) * (b[face.v] - a[face.v]) < (b[face.v] - c[face.v]) * (b[face.u] - a[face.u]);
     face.corners = ordered(corners, face);
     return face;
   }
@@ -175,13 +177,16 @@ class Mesh final : public Shape {
       : faces_(std::move(faces)), transform_(std::move(transform)), inverted_(inverted) {}
 
   const MeshParameters& parameters() const { return faces_->parameters(); }
+  const Faces& faces() const { return *faces_; }
+  const Transform& placement() const { return transform_; }
 
   void crossings(const Ray& given, std::vector<Crossing>& out) const override {
     const UnitRay unit_ray(transform_.inverse_ray(given));
     const double length = unit_ray.length;
     const Ray& ray = unit_ray.ray;
-    faces_->meet(ray, kMaxDistance,
-                 [&](double depth, std::uint32_t face) { out.push_back({depth / length, this, 0, face, {}}); });
+    faces_->meet(ray, kMaxDistance, [&](double depth, std::uint32_t face) {
+      out.push_back({depth / length, this, 0, face, {}});
+    });
   }
   void nearest(const Ray& given, double low, double high, std::vector<Crossing>& out) const override {
     const UnitRay unit_ray(transform_.inverse_ray(given));
@@ -243,6 +248,16 @@ ShapePtr make_mesh(MeshParameters parameters) {
 const MeshParameters* mesh_of(const Shape& shape) {
   const auto* mesh = dynamic_cast<const Mesh*>(&shape);
   return mesh == nullptr ? nullptr : &mesh->parameters();
+}
+
+const Transform& mesh_placement(const Shape& mesh) { return dynamic_cast<const Mesh&>(mesh).placement(); }
+
+Vec3 flat_normal(const Shape& mesh, std::uint32_t face) {
+  return dynamic_cast<const Mesh&>(mesh).faces().flat_normal(face);
+}
+
+Vec3 smooth_normal(const Shape& mesh, const Vec3& point, std::uint32_t face) {
+  return dynamic_cast<const Mesh&>(mesh).faces().normal(point, face);
 }
 
 }  // namespace firstlight::render

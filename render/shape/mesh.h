@@ -1,5 +1,6 @@
 #pragma once
 
+#include "render/math/transform.h"
 #include "render/shape/shape.h"
 
 #include <array>
@@ -36,5 +37,14 @@ struct MeshParameters {
 ShapePtr make_mesh(MeshParameters parameters);
 /// What a mesh was made of; null for any other shape.
 const MeshParameters* mesh_of(const Shape& shape);
+
+// ---- For a camera that sits on a mesh. Pre of all: mesh_of(mesh) is not null.
+
+/// From the space of the parameters to that of the scene.
+const Transform& mesh_placement(const Shape& mesh);
+/// Of the flat face, in the space of the parameters; not normalised further than single precision; 0 without area.
+Vec3 flat_normal(const Shape& mesh, std::uint32_t face);
+/// The same, interpolated where the face is a smooth one; of any length.
+Vec3 smooth_normal(const Shape& mesh, const Vec3& point, std::uint32_t face);
 
 }  // namespace firstlight::render

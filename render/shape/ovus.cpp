@@ -106,10 +106,9 @@ struct Ovus {
     const std::array<double, 5> quartic = {k1 * k1 + 4.0 * ring2 * (p.y * p.y - tube * tube),
                                            4.0 * (k1 * k2 + 2.0 * ring2 * p.y * d.y),
                                            2.0 * k1 + 4.0 * k2 * k2 + 4.0 * ring2 * d.y * d.y, 4.0 * k2, 1.0};
-    std::array<double, 4> roots;
-    const int count = quartic_roots(quartic, -half, half, roots);
-    for (int i = 0; i < count; ++i) {
-      const double depth = roots[static_cast<std::size_t>(i)] + skipped;
+    PolynomialRoots roots(quartic, -half, half);
+    for (double t; roots.next(t);) {
+      const double depth = t + skipped;
       const Vec3 point = ray.at(depth);
       if (!(point.y > bottom_ends && point.y < top_begins)) continue;
       if (std::abs(from_ring_squared(point) - tube * tube) < kRootRoom) add(depth, kSide);

@@ -15,8 +15,9 @@ namespace firstlight::render {
 class Met {
  public:
   Met(const Shape& shape, std::vector<Crossing>& out) : Met(shape, out, kBoundless) {}
-  /// Only the nearest crossing beyond `low` is wanted.
-  Met(const Shape& shape, std::vector<Crossing>& out, double low) : shape_(&shape), out_(&out), low_(low) {}
+  /// Only the nearest crossing beyond `low` is wanted, and only below `high`.
+  Met(const Shape& shape, std::vector<Crossing>& out, double low, double high = kBoundless)
+      : shape_(&shape), out_(&out), low_(low), high_(high) {}
 
   void add(double depth, std::uint32_t face = 0, const std::array<double, 2>& place = {}) {
     out_->push_back({depth, shape_, 0, face, place});
@@ -24,11 +25,16 @@ class Met {
   }
   /// Whether crossings that lie behind all that were added need not be looked for.
   bool is_enough() const { return is_enough_; }
+  /// Whether more than one crossing is wanted.
+  bool wants_all() const { return low_ == kBoundless; }
+  /// Crossings behind this depth need not be added.
+  double high() const { return high_; }
 
  private:
   const Shape* shape_;
   std::vector<Crossing>* out_;
   double low_;
+  double high_ = kBoundless;
   bool is_enough_ = false;
 };
 
@@ -67,8 +73,8 @@ class Placed final : public Shape {
     Met met(*this, out);
     local().meet(transform_.inverse_ray(ray), met);
   }
-  void nearest(const Ray& ray, double low, double, std::vector<Crossing>& out) const override {
-    Met met(*this, out, low);
+  void nearest(const Ray& ray, double low, double high, std::vector<Crossing>& out) const override {
+    Met met(*this, out, low, high);
     local().meet(transform_.inverse_ray(ray), met);
   }
   bool inside(const Vec3& point) const override { return local().inside(transform_.inverse_point(point), inverted_); }

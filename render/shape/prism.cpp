@@ -110,10 +110,9 @@ struct Prism {
       Vec3 line(d.z, -d.x, d.x * p.z - d.z * p.x);
       if (sweep == Sweep::conic) line = Vec3(p.z * d.y - p.y * d.z, p.y * d.x - p.x * d.y, p.x * d.z - p.z * d.x);
       const auto along = [&](const Vec2& v) { return line.x * v.x + line.y * v.y; };
-      std::array<double, 3> roots;
-      const int count = cubic_roots({along(s.d) + line.z, along(s.c), along(s.b), along(s.a)}, 0.0, 1.0, roots);
-      for (int k = 0; k < count; ++k) {
-        const double w = roots[static_cast<std::size_t>(k)];
+      const std::array<double, 4> beside = {along(s.d) + line.z, along(s.c), along(s.b), along(s.a)};
+      PolynomialRoots roots(beside, 0.0, 1.0);
+      for (double w; roots.next(w);) {
         double t;
         if (!depth_at(s.at(w), p, d, t)) continue;
         const double height = p.y + t * d.y;

@@ -81,10 +81,10 @@ ProfileSegment profile_segment(ProfileSpline spline, const std::vector<Vec2>& po
 
 std::size_t crossings_beside(const ProfileSegment& segment, double u, double v) {
   if (v < segment.low.y || v > segment.high.y || u > segment.high.x) return 0;
-  std::array<double, 3> roots;
-  const int found = cubic_roots({segment.d.y - v, segment.c.y, segment.b.y, segment.a.y}, 0.0, 1.0, roots);
+  const std::array<double, 4> height = {segment.d.y - v, segment.c.y, segment.b.y, segment.a.y};
+  PolynomialRoots roots(height, 0.0, 1.0);
   std::size_t count = 0;
-  for (int i = 0; i < found; ++i) count += segment.at(roots[static_cast<std::size_t>(i)]).x >= u ? 1 : 0;
+  for (double w; roots.next(w);) count += segment.at(w).x >= u ? 1 : 0;
   return count;
 }
 

@@ -120,10 +120,8 @@ struct Sor {
           d.y * d.y * (3.0 * s.a * p.y + s.b) - r,
           s.a * d.y * d.y * d.y,
       };
-      std::array<double, 3> roots;
-      const int count = cubic_roots(equation, begin, end, roots);
-      for (int k = 0; k < count; ++k) {
-        const double t = roots[static_cast<std::size_t>(k)];
+      PolynomialRoots roots(equation, begin, end);
+      for (double t; roots.next(t);) {
         const double height = p.y + t * d.y;
         if (height >= s.low && height <= s.high) add(t, static_cast<std::uint32_t>(i));
       }

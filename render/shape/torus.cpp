@@ -4,6 +4,7 @@
 #include "render/shape/tolerance.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numbers>
 
@@ -55,10 +56,9 @@ struct Torus {
     const std::array<double, 5> quartic = {k1 * k1 + 4.0 * r2_major * (p.y * p.y - r2_minor),
                                            4.0 * (k1 * k2 + 2.0 * r2_major * p.y * d.y),
                                            2.0 * k1 + 4.0 * k2 * k2 + 4.0 * r2_major * d.y * d.y, 4.0 * k2, 1.0};
-    std::array<double, 4> roots;
-    const int count = quartic_roots(quartic, low, high, roots);
-    for (int i = 0; i < count; ++i) {
-      const double depth = (roots[static_cast<std::size_t>(i)] + skipped) / length;
+    PolynomialRoots roots(quartic, low, high);
+    for (double t; !met.is_enough() && roots.next(t);) {
+      const double depth = (t + skipped) / length;
       if (depth > kNearestTorusCrossing && depth < kMaxDistance) met.add(depth);
     }
   }

@@ -46,7 +46,13 @@ SurfaceTable::SurfaceTable(const Scene& scene)
     const Coat* coat = nodes_[node].coat;
     roots_.push_back(node);
     even_.push_back(coat != nullptr && coat->is_even ? coat : nullptr);
-    glossy_.push_back(static_cast<std::uint8_t>(has_gloss(node)));
+    settled_.push_back(coat != nullptr && coat->is_settled ? coat : nullptr);
+  }
+  glossy_.reserve(scene.parts.size());
+  for (const Part& part : scene.parts) {
+    const bool is_glossy =
+        part.has_shape_textures || (part.texture != kNoIndex && has_gloss(roots_[part.texture]));
+    glossy_.push_back(static_cast<std::uint8_t>(is_glossy));
   }
 }
 
@@ -64,10 +70,12 @@ std::uint32_t SurfaceTable::compile(const Texture& texture) {
     node.pattern.emplace(patterned.pattern, world_);
     node.keeps_length = patterned.pattern.keeps_bump_size;
     node.by_uv = render::goes_by_uv(patterned.pattern);
+    node.by_surface = render::goes_by_surface(patterned.pattern);
     for (const MapEntry<TexturePtr>& entry : patterned.textures->entries) {
       const std::uint32_t part = compile(*entry.value);
       node.entries.emplace_back(entry.position, part);
       node.by_uv = node.by_uv || nodes_[part].by_uv;
+      node.by_surface = node.by_surface || nodes_[part].by_surface;
     }
   } else {
     Coat& coat = coats_.emplace_back();
@@ -76,10 +84,14 @@ std::uint32_t SurfaceTable::compile(const Texture& texture) {
     for (const TextureLayer& layer : texture.layers) {
       const SurfaceLayer& surface = layers_.emplace_back(prepared(layer));
       coat.is_even = coat.is_even && surface.is_plain && surface.normal == nullptr;
+      coat.is_settled =
+          coat.is_settled && coat.is_even && (surface.is_even_mirror || !layer.finish->conserve_energy);
       node.by_uv = node.by_uv || render::goes_by_uv(layer.pigment) ||
                    (layer.extras->normal && render::goes_by_uv(*layer.extras->normal));
+      node.by_surface = node.by_surface || surface.normal != nullptr || render::goes_by_surface(layer.pigment);
       coat.is_glossy = coat.is_glossy || surface.specular > 0.0 || surface.phong > 0.0;
     }
+    if (coat.is_settled) settle(coat);
     node.coat = &coat;
   }
   nodes_.push_back(std::move(node));
@@ -122,6 +134,18 @@ SurfaceLayer SurfaceTable::prepared(const TextureLayer& layer) {
   return surface;
 }
 
+void SurfaceTable::settle(Coat& coat) {
+  SettledCoat& all = coat.settled;
+  for (SurfaceLayer& layer : std::span(layers_).subspan(coat.first, coat.count)) {
+    if (!(all.share > scene_->settings.adc_bailout)) break;
+    layer.filter_above = all.filter;
+    layer.share_above = all.share;
+    all.own_light += all.seen++ == 0 ? layer.color.own_light : all.filter * layer.color.own_light;
+    all.filter *= passed_below(layer, layer.color.passed, layer.reflection);
+    all.share = share_of(all.filter);
+  }
+}
+
 LayerColor SurfaceTable::color(const SurfaceLayer& layer, const FilteredColor& pigment) const {
   LayerColor color;
   color.rgb = pigment.rgb;
@@ -133,40 +157,43 @@ LayerColor SurfaceTable::color(const SurfaceLayer& layer, const FilteredColor& p
   return color;
 }
 
-void SurfaceTable::unfold(std::uint32_t texture, const SurfacePoints& points,
-                          std::vector<std::unique_ptr<CoatPoints>>& coats) const {
+void SurfaceTable::unfold(std::uint32_t texture, const SurfacePoints& points, CoatList& coats) const {
   const Transform& to_texture = scene_->textures[texture].to_texture;
-  const auto local = std::make_unique_for_overwrite<SurfacePoints>();
-  Columns3<double> at;
-  for (std::size_t i = 0; i < points.size; ++i) {
-    const Vec3 point = points.at.vector(i);
-    at.set(i, to_texture.is_identity() ? point : to_texture.point(point));
-  }
-  pick(points, at, points.all(), *local);
+  const bool is_placed = !to_texture.is_identity();
+  Way way;
+  if (is_placed) way.placement = &to_texture;
   std::array<std::uint8_t, kRaysAtOnce> lanes;
   Column<double> shares;
   for (std::size_t i = 0; i < points.size; ++i) {
     lanes[i] = static_cast<std::uint8_t>(i);
     shares[i] = 1.0;
   }
-  Way way;
-  if (!to_texture.is_identity()) way.placement = &to_texture;
-  unfold_node(nodes_[roots_[texture]], way, *local, lanes, shares, coats);
+  const Node& root = nodes_[roots_[texture]];
+  if (!is_placed) return unfold_node(root, way, points, lanes, shares, coats);
+  Columns3<double> at;
+  for (std::size_t i = 0; i < points.size; ++i) at.set(i, to_texture.point(points.at.vector(i)));
+  if (root.coat != nullptr) return add_coat(root, way, points, at, lanes, shares, coats);
+  const auto local = std::make_unique_for_overwrite<SurfacePoints>();
+  pick(points, at, points.all(), *local);
+  unfold_node(root, way, *local, lanes, shares, coats);
+}
+
+void SurfaceTable::add_coat(const Node& node, const Way& way, const SurfacePoints& points, const Columns3<double>& at,
+                            const std::array<std::uint8_t, kRaysAtOnce>& lanes, const Column<double>& shares,
+                            CoatList& coats) {
+  CoatPoints& coat = coats.add();
+  coat.coat = node.coat;
+  coat.spaces = way.spaces;
+  coat.placement = way.placement;
+  pick(points, at, points.all(), coat.points);
+  std::copy_n(lanes.begin(), points.size, coat.lane.begin());
+  std::copy_n(shares.at.begin(), points.size, coat.share.at.begin());
 }
 
 void SurfaceTable::unfold_node(const Node& node, const Way& way, const SurfacePoints& points,
                                const std::array<std::uint8_t, kRaysAtOnce>& lanes, const Column<double>& shares,
-                               std::vector<std::unique_ptr<CoatPoints>>& coats) const {
-  if (node.coat != nullptr) {
-    CoatPoints& coat = *coats.emplace_back(std::make_unique_for_overwrite<CoatPoints>());
-    coat.coat = node.coat;
-    coat.spaces = way.spaces;
-    coat.placement = way.placement;
-    pick(points, points.at, points.all(), coat.points);
-    coat.lane = lanes;
-    coat.share = shares;
-    return;
-  }
+                               CoatList& coats) const {
+  if (node.coat != nullptr) return add_coat(node, way, points, points.at, lanes, shares, coats);
   const CompiledPattern& pattern = *node.pattern;
   const PatternKind kind = pattern.source().kind;
   Way inner = way;
@@ -264,7 +291,7 @@ void SurfaceTable::filter_by(CoatPoints& coat, std::span<Rgb> light, double caus
 }
 
 void SurfaceTable::filter(std::uint32_t texture, const SurfacePoints& points, std::span<Rgb> light,
-                          double caustics) const {
+                          CoatList& scratch, double caustics) const {
   if (const Coat* coat = even_coat(texture)) {
     for (const SurfaceLayer& layer : layers(*coat)) {
       for (std::size_t i = 0; i < points.size; ++i) {
@@ -274,17 +301,18 @@ void SurfaceTable::filter(std::uint32_t texture, const SurfacePoints& points, st
     }
     return;
   }
-  std::vector<std::unique_ptr<CoatPoints>> coats;
-  unfold(texture, points, coats);
-  if (nodes_[roots_[texture]].coat != nullptr) return filter_by(*coats.front(), light, caustics);
+  scratch.clear();
+  unfold(texture, points, scratch);
+  if (nodes_[roots_[texture]].coat != nullptr) return filter_by(scratch[0], light, caustics);
   std::array<Rgb, kRaysAtOnce> sums;
   sums.fill(Rgb(0.0f));
-  for (const auto& coat : coats) {
+  for (std::size_t c = 0; c < scratch.size(); ++c) {
+    CoatPoints& coat = scratch[c];
     std::array<Rgb, kRaysAtOnce> tints;
     tints.fill(Rgb(1.0f));
-    filter_by(*coat, tints, caustics);
-    for (std::size_t k = 0; k < coat->points.size; ++k) {
-      sums[coat->lane[k]] += tints[k] * static_cast<float>(coat->share[k]);
+    filter_by(coat, tints, caustics);
+    for (std::size_t k = 0; k < coat.points.size; ++k) {
+      sums[coat.lane[k]] += tints[k] * static_cast<float>(coat.share[k]);
     }
   }
   for (std::size_t i = 0; i < points.size; ++i) light[i] *= sums[i];

@@ -2,10 +2,11 @@
 
 #include "render/math/color.h"
 #include "render/scene/scene.h"
-#include "render/surface/compiled_normal.h"
-#include "render/surface/compiled_pigment.h"
+#include "render/surface/coat.h"
 #include "render/surface/sky.h"
 
+#include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <deque>
@@ -34,6 +35,8 @@ struct SurfaceLayer {
   bool is_plain = false;                   ///< one colour everywhere: `color`
   bool reflects = false;                   ///< anything, from some angle
   bool is_even_mirror = false;             ///< reflects alike from all angles: `reflection`
+  double share_above = 1.0;                ///< of settled coats: what the layers above let through, as one number
+  Rgb filter_above{1.0f, 1.0f, 1.0f};      ///< the same by colour
   LayerColor color;
   Rgb reflection{0.0f, 0.0f, 0.0f};
   float strongest = 0.0f;           ///< channel of a reflection, from the angle where it is most; prunes rays
@@ -52,29 +55,19 @@ struct SurfaceLayer {
   double irid = 0.0;
 };
 
-/// Layers that lie on each other, topmost first: a texture that is not made of other textures.
-struct Coat {
-  std::size_t first = 0;  ///< of SurfaceTable::layers
-  std::size_t count = 0;
-  bool is_even = true;    ///< looks the same everywhere, and tilts no normals
-  bool is_glossy = false;
-};
+/// What a layer leaves of light that has passed it and what it reflects, where the finish gives no more than it takes.
+inline Rgb passed_below(const SurfaceLayer& layer, Rgb passed, const Rgb& reflection) {
+  if (layer.reflects && layer.source->finish->conserve_energy) {
+    const Rgb kept = Rgb(1.0f) - reflection;
+    passed *= Rgb(std::min(1.0f, kept.x), std::min(1.0f, kept.y), std::min(1.0f, kept.z));
+  }
+  return passed;
+}
 
-/// Points at which one coat is to be asked: those where a texture shows it.
-struct CoatPoints {
-  const Coat* coat = nullptr;
-  std::vector<NormalSpace> spaces;         ///< that normals pass on the way to the coat's own space, the outermost first
-  const Transform* placement = nullptr;    ///< from the last of them, or from the scene, to that space
-  SurfacePoints points;                    ///< `at` in the coat's space
-  std::array<std::uint8_t, kRaysAtOnce> lane;  ///< of each: the point of the texture that it stands for
-  Column<double> share;                    ///< of the texture, that the coat is there
-};
-
-/// What a layer of a coat is at its points.
-struct LayerLook {
-  ColorColumns colors;
-  Columns3<double> normals;  ///< of layers that have a normal; unit, in the scene
-};
+/// A filter as one number, at most 1: layers below too small a share are not looked at. [POV-Ray 3.7]
+inline double share_of(const Rgb& filter) {
+  return is_black(filter) ? 0.0 : std::min(1.0, static_cast<double>(std::abs(grey(filter))));
+}
 
 /// All textures of a scene, compiled.
 ///
@@ -91,22 +84,28 @@ class SurfaceTable {
 
   /// The texture's one coat if it is even, else null. `texture`: index into Scene::textures.
   const Coat* even_coat(std::uint32_t texture) const { return even_[texture]; }
-  /// Whether any layer has highlights.
-  bool is_glossy(std::uint32_t texture) const { return glossy_[texture] != 0; }
+  /// The same if it is settled.
+  const Coat* settled_coat(std::uint32_t texture) const { return settled_[texture]; }
+  /// Whether a part of the scene may have highlights, as far as its outer texture tells.
+  bool is_glossy(std::uint32_t part) const { return glossy_[part] != 0; }
   /// Whether it asks for the surface's own coordinates: SurfacePoints::u and v.
   bool goes_by_uv(std::uint32_t texture) const { return nodes_[roots_[texture]].by_uv; }
+  /// Whether it asks for more of the surface than the point alone: SurfacePoints::on_surface.
+  bool goes_by_surface(std::uint32_t texture) const { return nodes_[roots_[texture]].by_surface; }
   /// Topmost first.
   std::span<const SurfaceLayer> layers(const Coat& coat) const { return {layers_.data() + coat.first, coat.count}; }
   /// The layer's colour where its pigment is `pigment`.
   LayerColor color(const SurfaceLayer& layer, const FilteredColor& pigment) const;
 
   /// Appends the coats that a texture shows at `points`, given in the scene, in the order of its maps.
-  void unfold(std::uint32_t texture, const SurfacePoints& points, std::vector<std::unique_ptr<CoatPoints>>& coats) const;
+  void unfold(std::uint32_t texture, const SurfacePoints& points, CoatList& coats) const;
   /// What the layer is at the coat's points. It leaves its normals in points.tilted.
   void look(const SurfaceLayer& layer, CoatPoints& points, LayerLook& look) const;
   /// Multiplies light[i] by what passes the texture at point i, given in the scene. `caustics`: of the interior; not 0:
   /// light is gathered where it falls steeply, so that more may pass than came. Pre: then the points are on the surface.
-  void filter(std::uint32_t texture, const SurfacePoints& points, std::span<Rgb> light, double caustics = 0.0) const;
+  /// `scratch`: what it holds is lost.
+  void filter(std::uint32_t texture, const SurfacePoints& points, std::span<Rgb> light, CoatList& scratch,
+              double caustics = 0.0) const;
 
  private:
   /// A texture or a part of one: a coat, or a pattern of such.
@@ -114,7 +113,8 @@ class SurfaceTable {
     const Coat* coat = nullptr;
     std::optional<CompiledPattern> pattern;
     bool keeps_length = false;
-    bool by_uv = false;  ///< it or a part of it
+    bool by_uv = false;       ///< it or a part of it
+    bool by_surface = false;  ///< likewise
     std::vector<std::pair<double, std::uint32_t>> entries;  ///< position or weight, node
   };
   /// On the way down.
@@ -125,11 +125,16 @@ class SurfaceTable {
 
   std::uint32_t compile(const Texture& texture);
   SurfaceLayer prepared(const TextureLayer& layer);
+  void settle(Coat& coat);
   bool has_gloss(std::uint32_t node) const;
   void filter_by(CoatPoints& coat, std::span<Rgb> light, double caustics) const;
+  /// One coat more, at all of `points`, which lie at `at` in its space.
+  static void add_coat(const Node& node, const Way& way, const SurfacePoints& points, const Columns3<double>& at,
+                       const std::array<std::uint8_t, kRaysAtOnce>& lanes, const Column<double>& shares,
+                       CoatList& coats);
   void unfold_node(const Node& node, const Way& way, const SurfacePoints& points,
                    const std::array<std::uint8_t, kRaysAtOnce>& lanes, const Column<double>& shares,
-                   std::vector<std::unique_ptr<CoatPoints>>& coats) const;
+                   CoatList& coats) const;
 
   const Scene* scene_;
   PatternWorld world_;
@@ -144,6 +149,7 @@ class SurfaceTable {
   std::unordered_map<const Texture*, std::uint32_t> node_of_;
   std::vector<std::uint32_t> roots_;  // of each texture of the scene: its node
   std::vector<const Coat*> even_;
+  std::vector<const Coat*> settled_;
   std::vector<std::uint8_t> glossy_;
 };
 

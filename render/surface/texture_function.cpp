@@ -24,6 +24,13 @@ FeatureUses uses_of(const Pigment& pigment) {
   return uses;
 }
 
+/// Pre: `points` has its size.
+void take_points(const double* const* arguments, std::size_t begin, SurfacePoints& points) {
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    std::copy_n(arguments[axis] + begin, points.size, points.at.of[axis].at.begin());
+  }
+}
+
 class PatternFunction final : public Function {
  public:
   PatternFunction(Patterning pattern, const PatternWorld& world)
@@ -39,6 +46,21 @@ class PatternFunction final : public Function {
     compiled_.to_pattern(points, there);
     compiled_.places(there, points, place);
     *results = place[0];
+  }
+  void evaluate_many(const double* const* arguments, double* const* results, std::size_t count,
+                     Evaluation&) const override {
+    std::fill_n(results[0], count, 0.0);
+    if (!compiled_.has_places() || !unrendered().empty()) return;
+    SurfacePoints points;
+    for (std::size_t begin = 0; begin < count; begin += kRaysAtOnce) {
+      points.size = std::min(kRaysAtOnce, count - begin);
+      take_points(arguments, begin, points);
+      Columns3<double> there;
+      Column<double> place;
+      compiled_.to_pattern(points, there);
+      compiled_.places(there, points, place);
+      std::copy_n(place.at.begin(), points.size, results[0] + begin);
+    }
   }
 
  private:
@@ -59,6 +81,22 @@ class PigmentFunction final : public Function {
     results[2] = color.rgb.z;
     results[3] = color.filter;
     results[4] = color.transmit;
+  }
+  void evaluate_many(const double* const* arguments, double* const* results, std::size_t count,
+                     Evaluation& evaluation) const override {
+    if (!unrendered().empty() || compiled_.is_plain()) return Function::evaluate_many(arguments, results, count, evaluation);
+    SurfacePoints points;
+    ColorColumns colors;
+    for (std::size_t begin = 0; begin < count; begin += kRaysAtOnce) {
+      points.size = std::min(kRaysAtOnce, count - begin);
+      take_points(arguments, begin, points);
+      compiled_.colors(points, colors);
+      for (std::size_t c = 0; c < 3; ++c) {
+        std::copy_n(colors.rgb.of[c].at.begin(), points.size, results[c] + begin);
+      }
+      std::copy_n(colors.filter.at.begin(), points.size, results[3] + begin);
+      std::copy_n(colors.transmit.at.begin(), points.size, results[4] + begin);
+    }
   }
 
  private:

@@ -16,8 +16,7 @@ Shared<Interior> moved(Shared<Interior> interior, const Transform& transform) {
 
 void gather(const Interior& interior, FeatureUses& uses) {
   for (const FeatureUse& use : interior.unrendered.list()) {
-    const bool nothing = (use.feature == Feature::caustics && interior.caustics == 0.0) ||
-                         (use.feature == Feature::dispersion && interior.dispersion == 1.0);
+    const bool nothing = use.feature == Feature::caustics && interior.caustics == 0.0;
     if (!nothing) uses.add(use);
   }
   for (const Media& media : interior.media) gather(media, uses);

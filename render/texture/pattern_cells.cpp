@@ -37,6 +37,30 @@ const std::array<Vec3, kNear>& near_cells() {
   return cells;
 }
 
+/// Points of one cell and those about it.
+struct NearPoints {
+  std::array<std::array<double, kNear>, 3> at;
+  Vec3 corner{0.0};
+  bool is_known = false;
+
+  Vec3 operator[](std::size_t i) const { return {at[0][i], at[1][i], at[2][i]}; }
+};
+
+/// Neighbours on a surface, and along a ray, often are in one cell; so what was found for some cells is kept, by thread.
+const NearPoints& points_about(const Vec3& corner) {
+  constexpr std::size_t kKept = 32;
+  thread_local std::array<NearPoints, kKept> kept;
+  NearPoints& near = kept[cell_hash(corner.x, corner.y, corner.z) % kKept];
+  if (near.is_known && near.corner == corner) return near;
+  for (std::size_t i = 0; i < kNear; ++i) {
+    const Vec3 point = point_in_cell(corner + near_cells()[i]);
+    for (std::size_t axis = 0; axis < 3; ++axis) near.at[axis][i] = point[static_cast<int>(axis)];
+  }
+  near.corner = corner;
+  near.is_known = true;
+  return near;
+}
+
 /// |x|^m + |y|^m + |z|^m, and its root.
 struct Metric {
   double power;
@@ -45,6 +69,18 @@ struct Metric {
     if (power == 2.0) return v.x * v.x + v.y * v.y + v.z * v.z;
     if (power == 1.0) return std::abs(v.x) + std::abs(v.y) + std::abs(v.z);
     return std::pow(std::abs(v.x), power) + std::pow(std::abs(v.y), power) + std::pow(std::abs(v.z), power);
+  }
+  void sums(const Vec3& from, const NearPoints& points, std::array<double, kNear>& sums) const {
+    if (power != 2.0) {
+      for (std::size_t i = 0; i < kNear; ++i) sums[i] = sum(points[i] - from);
+      return;
+    }
+    for (std::size_t i = 0; i < kNear; ++i) {
+      const double x = points.at[0][i] - from.x;
+      const double y = points.at[1][i] - from.y;
+      const double z = points.at[2][i] - from.z;
+      sums[i] = x * x + y * y + z * z;
+    }
   }
   double root(double sum) const {
     if (power == 2.0) return std::sqrt(sum);
@@ -56,23 +92,6 @@ struct Metric {
   }
 };
 
-/// Points of one cell and those about it. Neighbours on a surface often are in one cell.
-class NearPoints {
- public:
-  const std::array<Vec3, kNear>& about(const Vec3& corner) {
-    if (known_ && corner == corner_) return points_;
-    for (std::size_t i = 0; i < kNear; ++i) points_[i] = point_in_cell(corner + near_cells()[i]);
-    corner_ = corner;
-    known_ = true;
-    return points_;
-  }
-
- private:
-  bool known_ = false;
-  Vec3 corner_{0.0};
-  std::array<Vec3, kNear> points_;
-};
-
 /// The distances to the three nearest of random points, weighted. [S. Worley 1996, "A cellular texture basis function"]
 class Crackle final : public Pattern {
  public:
@@ -80,19 +99,20 @@ class Crackle final : public Pattern {
       : parameters_(parameters), metric_{parameters.metric}, generator_(noise_generator) {}
 
   void values(const Columns3<double>& at, const SurfacePoints& points, Column<double>& values) const override {
-    NearPoints near;
     for (std::size_t i = 0; i < points.size; ++i) {
       const Vec3 point = at.vector(i);
-      values[i] = value(point, near.about(corner_below(point)));
+      values[i] = value(point, points_about(corner_below(point)));
     }
   }
 
  private:
-  double value(const Vec3& point, const std::array<Vec3, kNear>& points) const {
+  double value(const Vec3& point, const NearPoints& points) const {
     std::array<double, 3> least = {INFINITY, INFINITY, INFINITY};
     std::size_t nearest = 0;
+    std::array<double, kNear> sums;
+    metric_.sums(point, points, sums);
     for (std::size_t i = 0; i < kNear; ++i) {
-      const double sum = metric_.sum(points[i] - point);
+      const double sum = sums[i];
       if (sum < least[0]) {
         least = {sum, least[0], least[1]};
         nearest = i;
@@ -127,11 +147,10 @@ class Facets final : public Pattern {
             Columns3<double>& normals) const override {
     constexpr double kSmallest = 1e-6;
     const double scale = parameters_.size < kSmallest ? 1.0 / kSmallest : 1.0 / parameters_.size;
-    NearPoints near;
     for (std::size_t i = 0; i < points.size; ++i) {
       const Vec3 normal = normals.vector(i).normalized();
       const Vec3 place = (parameters_.coords != 0.0 ? at.vector(i) : normal) * scale;
-      const Vec3 facet = nearest(place, near.about(corner_below(place)));
+      const Vec3 facet = nearest(place, points_about(corner_below(place)));
       if (parameters_.coords == 0.0) {
         normals.set(i, facet);
       } else {
@@ -146,7 +165,7 @@ class Facets final : public Pattern {
   double distance(const Vec3& v) const {
     return parameters_.metric == 1.0 ? v.x + v.y + v.z : Metric{parameters_.metric}.sum(v);
   }
-  Vec3 nearest(const Vec3& place, const std::array<Vec3, kNear>& points) const {
+  Vec3 nearest(const Vec3& place, const NearPoints& points) const {
     std::size_t best = 0;
     double least = distance(points[0] - place);
     for (std::size_t i = 1; i < kNear; ++i) {

@@ -4,6 +4,7 @@
 #include "render/texture/field.h"
 #include "render/texture/patterns.h"
 
+#include <array>
 #include <cmath>
 
 namespace firstlight::render {
@@ -16,13 +17,14 @@ class FunctionField final : public Pattern {
 
   /// Only values above 1 are folded back.
   void values(const Columns3<double>& at, const SurfacePoints& points, Column<double>& values) const override {
-    double results[Function::kMostResults] = {};
+    std::array<Column<double>, Function::kMostResults - 1> others;
+    std::array<double*, Function::kMostResults> results{values.at.data()};
+    for (std::size_t r = 1; r < results.size(); ++r) results[r] = others[r - 1].at.data();
+    const std::array<const double*, 3> places{at.of[0].at.data(), at.of[1].at.data(), at.of[2].at.data()};
+    Evaluation evaluation{.noise_generator = noise_generator_};
+    function_->evaluate_many(places.data(), results.data(), points.size, evaluation);
     for (std::size_t i = 0; i < points.size; ++i) {
-      Evaluation evaluation;
-      evaluation.noise_generator = noise_generator_;
-      const double place[3] = {at.of[0][i], at.of[1][i], at.of[2][i]};
-      function_->evaluate(place, results, evaluation);
-      values[i] = results[0] > 1.0 ? std::fmod(results[0], 1.0) : results[0];
+      if (values[i] > 1.0) values[i] = std::fmod(values[i], 1.0);
     }
   }
 

@@ -30,6 +30,8 @@ Patterning patterned(PatternKind kind, PatternParameters parameters = {});
 
 /// Whether it goes by a surface's own coordinates, itself or by a pigment that it asks.
 bool goes_by_uv(const Patterning& patterning);
+/// Whether it goes by more than the point: by the surface's coordinates, or by how it lies to what is seen.
+bool goes_by_surface(const Patterning& patterning);
 /// Adds what the pattern itself asks for that cannot be rendered. Nothing for a single colour.
 void gather(const Patterning& patterning, FeatureUses& uses);
 

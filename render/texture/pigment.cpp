@@ -17,6 +17,28 @@ bool lets_light_through(const FilteredColor& color) {
   return std::abs(color.filter) > kOpaqueBelow || std::abs(color.transmit) > kOpaqueBelow;
 }
 
+bool is_of_uv(PatternKind kind) { return kind == PatternKind::uv_mapping; }
+bool is_of_surface(PatternKind kind) {
+  return kind == PatternKind::uv_mapping || kind == PatternKind::slope || kind == PatternKind::aoi;
+}
+
+using KindTest = bool (*)(PatternKind);
+bool any_kind(const Pigment& pigment, KindTest is);
+
+/// Whether the pattern is of such a kind, or a part of a pigment that it asks.
+bool any_kind(const Patterning& patterning, KindTest is) {
+  if (is(patterning.kind)) return true;
+  const auto* parameters = std::get_if<PigmentParameters>(&patterning.parameters);
+  return parameters != nullptr && parameters->pigment && any_kind(*parameters->pigment, is);
+}
+
+bool any_kind(const Pigment& pigment, KindTest is) {
+  const PigmentPattern& pattern = pigment.pattern;
+  const auto is_one = [&](const MapEntry<Pigment>& entry) { return any_kind(entry.value, is); };
+  return any_kind(static_cast<const Patterning&>(pattern), is) ||
+         (pattern.pigments && std::ranges::any_of(pattern.pigments->entries, is_one));
+}
+
 }  // namespace
 
 void make_plain(Pigment& pigment) {
@@ -46,18 +68,10 @@ bool lets_light_through(const Pigment& pigment) {
                      [](const ColorMapEntry& entry) { return lets_light_through(entry.color); });
 }
 
-bool goes_by_uv(const Pigment& pigment) {
-  const PigmentPattern& pattern = pigment.pattern;
-  const auto goes = [](const MapEntry<Pigment>& entry) { return goes_by_uv(entry.value); };
-  return goes_by_uv(static_cast<const Patterning&>(pattern)) ||
-         (pattern.pigments && std::ranges::any_of(pattern.pigments->entries, goes));
-}
-
-bool goes_by_uv(const Patterning& patterning) {
-  if (patterning.kind == PatternKind::uv_mapping) return true;
-  const auto* parameters = std::get_if<PigmentParameters>(&patterning.parameters);
-  return parameters != nullptr && parameters->pigment && goes_by_uv(*parameters->pigment);
-}
+bool goes_by_uv(const Pigment& pigment) { return any_kind(pigment, is_of_uv); }
+bool goes_by_uv(const Patterning& patterning) { return any_kind(patterning, is_of_uv); }
+bool goes_by_surface(const Pigment& pigment) { return any_kind(pigment, is_of_surface); }
+bool goes_by_surface(const Patterning& patterning) { return any_kind(patterning, is_of_surface); }
 
 void gather(const Pigment& pigment, FeatureUses& uses) {
   if (!is_patterned(pigment.pattern->kind)) return;

@@ -45,6 +45,8 @@ bool lets_light_through(const Pigment& pigment);
 
 /// Whether any part of it goes by a surface's own coordinates.
 bool goes_by_uv(const Pigment& pigment);
+/// Whether any part of it goes by more of a surface than the point.
+bool goes_by_surface(const Pigment& pigment);
 /// Adds what the pigment asks for that cannot be rendered.
 void gather(const Pigment& pigment, FeatureUses& uses);
 

@@ -76,11 +76,6 @@ HWY_INLINE V inverse_or_zero(V distance) {
   return hn::IfThenElseZero(hn::Gt(distance, hn::Zero(d)), hn::Div(hn::Set(d, 1.0), distance));
 }
 
-HWY_INLINE Vec position_of(const Light& light) {
-  const D d;
-  return {hn::Set(d, light.position.x), hn::Set(d, light.position.y), hn::Set(d, light.position.z)};
-}
-
 /// Share of the full light at a distance, as fading() has it.
 HWY_INLINE V fading_at(const Light& light, V distance) {
   const D d;
@@ -96,10 +91,11 @@ HWY_INLINE V fading_at(const Light& light, V distance) {
 
 /// What a highlight's colour is multiplied with: the surface's colour as far as the finish is metallic and the angle
 /// steep, as metallic_tint() has it.
+template <bool kHasRare>
 HWY_INLINE Vec tint_of(const LayerColumns& layer, std::size_t i, V cosine) {
   const D d;
   const V one = hn::Set(d, 1.0);
-  if (!layer.has_rare) return {one, one, one};
+  if (!kHasRare) return {one, one, one};
   const V metallic = load(layer.metallic, i);
   if (!any(hn::Gt(metallic, hn::Zero(d)))) return {one, one, one};
   const V within = hn::Min(hn::Max(cosine, hn::Neg(one)), one);
@@ -117,7 +113,7 @@ struct Lit {
   Vec to_light;  ///< unit
   V cosine;      ///< to the normal
   Mask behind;
-  Mask used;  ///< lanes that stand for a hit; the others hold anything
+  Mask used;                ///< lanes that stand for a hit; the others hold anything
   std::uint64_t light = 0;  ///< its number; of a point of a light also the point's, from bit 32 on
   bool highlights;
 };
@@ -172,14 +168,15 @@ HWY_INLINE V chance(const HitBlock& block, const LayerColumns& layer, std::size_
   return hn::Load(D(), taken);
 }
 
-/// What one layer makes of white light, times the ray's weight.
+/// What one layer makes of white light, times the ray's weight. `kHasRare`: the layer's has_rare.
+template <bool kHasRare>
 HWY_INLINE Vec term_of(const HitBlock& block, const LayerColumns& layer, std::size_t i, const Lit& lit,
                        const Vec& normal, const Vec& mirrored) {
   const D d;
   const V zero = hn::Zero(d);
   V falloff = hn::Abs(lit.cosine);
   V back = zero;
-  if (layer.has_rare) {
+  if (kHasRare) {
     const V brilliance = load(layer.brilliance, i);
     const Mask plain = hn::Eq(brilliance, hn::Set(d, 1.0));
     if (any(hn::AndNot(plain, lit.used))) falloff = hn::IfThenElse(plain, falloff, power(d, falloff, brilliance));
@@ -187,13 +184,13 @@ HWY_INLINE Vec term_of(const HitBlock& block, const LayerColumns& layer, std::si
   }
   const V amount = hn::IfThenElse(lit.behind, back, load(layer.diffuse, i));
   V intensity = hn::Mul(falloff, amount);
-  if (layer.has_rare && any(hn::And(lit.used, hn::Ne(load(layer.crand, i), zero)))) {
+  if (kHasRare && any(hn::And(lit.used, hn::Ne(load(layer.crand, i), zero)))) {
     intensity = hn::Sub(intensity, chance(block, layer, i, lit));
   }
   Vec term = only_where(hn::Ne(amount, zero), load(layer.color, i) * intensity);
   if (lit.highlights) {
     // Which highlights there are is asked of the surfaces alone: whether they face the light cannot be foretold.
-    const V shine = layer.has_rare ? load(layer.phong, i) : zero;
+    const V shine = kHasRare ? load(layer.phong, i) : zero;
     const V gloss = load(layer.specular, i);
     const bool any_shine = any(hn::And(lit.used, hn::Gt(shine, zero)));
     const bool any_gloss = any(hn::And(lit.used, hn::Gt(gloss, zero)));
@@ -204,13 +201,12 @@ HWY_INLINE Vec term_of(const HitBlock& block, const LayerColumns& layer, std::si
       V highlight = zero;
       if (any_shine) highlight = phong(layer, i, lit, mirrored, in_front(shine));
       if (any_gloss) {
-        highlight = hn::Add(highlight,
-                            specular(layer, i, lit, load(block.direction, i), normal, in_front(gloss)));
+        highlight = hn::Add(highlight, specular(layer, i, lit, load(block.direction, i), normal, in_front(gloss)));
       }
-      term = term + only_where(hn::Ne(highlight, zero), tint_of(layer, i, lit.cosine) * highlight);
+      term = term + only_where(hn::Ne(highlight, zero), tint_of<kHasRare>(layer, i, lit.cosine) * highlight);
     }
   }
-  if (layer.has_rare && any(hn::And(lit.used, hn::Ne(load(layer.irid, i), zero)))) {
+  if (kHasRare && any(hn::And(lit.used, hn::Ne(load(layer.irid, i), zero)))) {
     term = term * film_tint(block, layer, i, lit, normal);
   }
   return load(layer.share, i) * term;
@@ -221,15 +217,22 @@ HWY_INLINE Vec mirrored_at(const HitBlock& block, const Vec& normal, std::size_t
   return direction - normal * hn::Mul(hn::Set(D(), 2.0), dot(direction, normal));
 }
 
-/// The same by the layer's own normals, where it has some.
-HWY_INLINE Vec layer_term_of(const HitBlock& block, const LayerColumns& layer, std::size_t i, const Lit& lit,
-                             const Vec& normal, const Vec& mirrored) {
-  if (layer.tilted == 0) return term_of(block, layer, i, lit, normal, mirrored);
+/// The same for all layers, by their own normals where they have some.
+HWY_NOINLINE Vec uncommon_term_of(const HitBlock& block, const LayerColumns& layer, std::size_t i, const Lit& lit,
+                                  const Vec& normal, const Vec& mirrored) {
+  if (layer.tilted == 0) return term_of<true>(block, layer, i, lit, normal, mirrored);
   const Vec own = load(layer.normal, i);
   Lit tilted = lit;
   tilted.cosine = dot(own, lit.to_light);
   tilted.behind = hn::Lt(tilted.cosine, load(block.lit_from, i));
-  return term_of(block, layer, i, tilted, own, mirrored_at(block, own, i));
+  return layer.has_rare ? term_of<true>(block, layer, i, tilted, own, mirrored_at(block, own, i))
+                        : term_of<false>(block, layer, i, tilted, own, mirrored_at(block, own, i));
+}
+
+HWY_INLINE Vec layer_term_of(const HitBlock& block, const LayerColumns& layer, std::size_t i, const Lit& lit,
+                             const Vec& normal, const Vec& mirrored) {
+  if (layer.has_rare || layer.tilted != 0) return uncommon_term_of(block, layer, i, lit, normal, mirrored);
+  return term_of<false>(block, layer, i, lit, normal, mirrored);
 }
 
 /// The lanes whose bit is set, from bit 0 on.
@@ -281,9 +284,32 @@ void begin_light_of(HitBlock& block) {
   }
 }
 
-HWY_INLINE Vec color_of(const Light& light) {
+/// What is asked of a light at every vector of hits, close together.
+struct Shining {
+  Vec3 position;
+  Vec3 color;
+  std::uint64_t reached;
+  bool is_plain;
+  bool fades;
+  bool is_spread;
+  bool is_sure;
+  bool highlights;
+
+  Shining() = default;
+  Shining(const Light& light, std::uint64_t shines_on)
+      : position(light.position),
+        color(light.color),
+        reached(shines_on),
+        is_plain(render::is_plain(light)),
+        fades(render::fades(light)),
+        is_spread(has_spread_light(light)),
+        is_sure(render::is_sure(light)),
+        highlights(!light.shadowless) {}
+};
+
+HWY_INLINE Vec all_lanes(const Vec3& v) {
   const D d;
-  return {hn::Set(d, double{light.color.x}), hn::Set(d, double{light.color.y}), hn::Set(d, double{light.color.z})};
+  return {hn::Set(d, v.x), hn::Set(d, v.y), hn::Set(d, v.z)};
 }
 
 /// What all layers make of white light, times the ray's weight.
@@ -318,6 +344,8 @@ void light_hits_of(HitBlock& block, std::span<const Light> lights) {
   const D d;
   constexpr double kNegligible = 1e-10;
   std::fill_n(block.open.begin(), lights.size(), 0u);
+  std::array<Shining, kLightsAtOnce> shining;
+  for (std::size_t l = 0; l < lights.size(); ++l) shining[l] = Shining(lights[l], block.reached[l]);
   for (std::size_t i = 0; i < block.size; i += hn::Lanes(d)) {
     const Vec point = load(block.point, i);
     const Vec normal = load(block.normal, i);
@@ -328,32 +356,31 @@ void light_hits_of(HitBlock& block, std::span<const Light> lights) {
     Vec sure{hn::Zero(d), hn::Zero(d), hn::Zero(d)};  // light that no feeler takes back
     AtStake at_stake;
     for (std::size_t l = 0; l < lights.size(); ++l) {
-      const Light& light = lights[l];
-      const bool is_spread = has_spread_light(light);
-      Vec color = color_of(light);
-      if (is_plain(light)) {
-        const Vec way = position_of(light) - point;
+      const Shining& light = shining[l];
+      Vec color = all_lanes(light.color);
+      if (light.is_plain) {
+        const Vec way = all_lanes(light.position) - point;
         const V distance = hn::Sqrt(dot(way, way));
-        if (fades(light) && !is_spread) color = color * fading_at(light, distance);
+        if (light.fades && !light.is_spread) color = color * fading_at(lights[l], distance);
         lit.to_light = way * inverse_or_zero(distance);
       } else {
-        if (!is_spread) color = color * load(block.arrivals[l].share, i);
+        if (!light.is_spread) color = color * load(block.arrivals[l].share, i);
         lit.to_light = load(block.arrivals[l].direction, i);
       }
       lit.cosine = dot(normal, lit.to_light);
       lit.behind = hn::Lt(lit.cosine, load(block.lit_from, i));
-      lit.highlights = !light.shadowless;
+      lit.highlights = light.highlights;
       lit.light = block.first_light + l;
-      if (!is_spread && !block.lit_from_behind && hn::AllFalse(d, hn::AndNot(lit.behind, lit.used))) {
+      if (!light.is_spread && !block.lit_from_behind && hn::AllFalse(d, hn::AndNot(lit.behind, lit.used))) {
         continue;
       }
-      const Vec term = is_spread ? load(block.spread_light[l], i) : terms_of(block, i, lit, normal, mirrored);
+      const Vec term = light.is_spread ? load(block.spread_light[l], i) : terms_of(block, i, lit, normal, mirrored);
       const Mask shines =
           hn::Ge(hn::Max(hn::Abs(color.x), hn::Max(hn::Abs(color.y), hn::Abs(color.z))), hn::Set(d, kNegligible));
       color = only_where(shines, color * term);
       Mask is_light = hn::And(lit.used, is_some(color));
-      if (block.reached[l] != ~std::uint64_t{0}) is_light = hn::And(is_light, lanes_of(block.reached[l] >> i));
-      if (is_sure(light)) {
+      if (light.reached != ~std::uint64_t{0}) is_light = hn::And(is_light, lanes_of(light.reached >> i));
+      if (light.is_sure) {
         sure = sure + only_where(is_light, color);
         continue;
       }

@@ -1,21 +1,32 @@
 #include "render/trace/primary.h"
 
+#include "render/camera/lens.h"
 #include "render/math/pixel_grid.h"
 #include "render/scene/scene.h"
 #include "render/surface/compiled_normal.h"
+#include "render/surface/compiled_pigment.h"
 
 #include <algorithm>
 #include <array>
 #include <utility>
 
 namespace firstlight::render {
+namespace {
+
+LensGrid grid_of(const FocalBlur& blur, const PatternWorld& world) {
+  if (!blur.bokeh) return round_lens(blur.samples);
+  const CompiledPigment pigment(*blur.bokeh, world);
+  return shaped_lens(blur.samples, [&](double x, double y) { return grey(pigment.color_at({x, y, 0.0}).rgb); });
+}
+
+}  // namespace
 
 PrimaryRays::PrimaryRays(const Scene& scene, MediumTable& media, const View& view)
-    : view_(view), projection_(make_projection(view.camera)), medium_(scene, media, projection_->origins()) {
+    : view_(view), projection_(make_projection(view.camera)), medium_(scene, media, ray_origins(view.camera)) {
+  const PatternWorld world{scene.settings.noise_generator, scene.settings.number_of_waves};
+  if (view.camera.blur.shows()) lens_ = std::make_unique<const Lens>(view.camera, grid_of(view.camera.blur, world));
   if (view.camera.normal) {
-    const Settings& settings = scene.settings;
-    normal_ = std::make_unique<const CompiledNormal>(
-        *view.camera.normal, PatternWorld{settings.noise_generator, settings.number_of_waves}, /*keeps_length=*/false);
+    normal_ = std::make_unique<const CompiledNormal>(*view.camera.normal, world, /*keeps_length=*/false);
   }
   unmade_.origin = view.camera.location;
   unmade_.set_weight(Rgb(1.0f), 1.0f);
@@ -23,6 +34,8 @@ PrimaryRays::PrimaryRays(const Scene& scene, MediumTable& media, const View& vie
 }
 
 PrimaryRays::~PrimaryRays() = default;
+
+const FocalBlur* PrimaryRays::blur() const { return lens_ ? &view_.camera.blur : nullptr; }
 
 void PrimaryRays::append(std::span<const PrimaryPlace> places, PrimaryBatch& batch) const {
   for (std::size_t first = 0; first < places.size(); first += kRaysAtOnce) {
@@ -32,20 +45,55 @@ void PrimaryRays::append(std::span<const PrimaryPlace> places, PrimaryBatch& bat
 
 void PrimaryRays::append_block(std::span<const PrimaryPlace> places, PrimaryBatch& batch) const {
   PicturePlaces in_picture;
-  for (const PrimaryPlace& place : places) in_picture.add(place.x, place.y, view_.width, view_.height);
+  std::array<LensSample, kRaysAtOnce> samples;
+  for (std::size_t i = 0; i < places.size(); ++i) {
+    samples[i] = {places[i].x, places[i].y, places[i].number};
+    if (lens_) samples[i] = lens_->moved(samples[i]);
+    in_picture.add(samples[i].x, samples[i].y, view_.width, view_.height);
+  }
+  if (projection_->rays_per_place() > 1) return append_shared(in_picture, places, batch);
   CameraRays rays;
   projection_->project(in_picture, rays);
+  for (std::size_t i = 0; lens_ && i < places.size(); ++i) {
+    if ((rays.missing >> i & 1u) == 0) lens_->bend(samples[i], i, rays);
+  }
   if (normal_) tilt(places.size(), rays);
   for (std::size_t i = 0; i < places.size(); ++i) {
     if ((rays.missing >> i & 1u) != 0) {
       batch.dark.push_back(places[i].sample);
       continue;
     }
-    const Ray& ray = batch.rays.emplace_back(Ray{rays.origin.vector(i), unit(rays.direction.vector(i))});
-    RayTask& task = batch.tasks.emplace_back(unmade_);
-    task.origin = ray.origin;
-    task.medium = medium_.of(ray.origin);
-    task.sample = places[i].sample;
+    append_ray(rays, i, places[i].sample, 1.0f, batch);
+  }
+}
+
+void PrimaryRays::append_ray(const CameraRays& rays, std::size_t i, std::uint32_t sample, float share,
+                             PrimaryBatch& batch) const {
+  const Ray& ray = batch.rays.emplace_back(Ray{rays.origin.vector(i), unit(rays.direction.vector(i))});
+  RayTask& task = batch.tasks.emplace_back(unmade_);
+  task.origin = ray.origin;
+  task.medium = medium_.of(ray.origin);
+  task.sample = sample;
+  // What a ray may do without goes by its way, not by how many share the place.
+  task.set_weight(Rgb(share), 1.0f);
+}
+
+void PrimaryRays::append_shared(const PicturePlaces& in_picture, std::span<const PrimaryPlace> places,
+                                PrimaryBatch& batch) const {
+  std::array<int, kRaysAtOnce> counts{};
+  std::vector<CameraRays> all(static_cast<std::size_t>(projection_->rays_per_place()));
+  for (std::size_t number = 0; number < all.size(); ++number) {
+    projection_->project_further(static_cast<int>(number), in_picture, all[number]);
+    if (normal_) tilt(places.size(), all[number]);
+    for (std::size_t i = 0; i < places.size(); ++i) counts[i] += (all[number].missing >> i & 1u) != 0 ? 0 : 1;
+  }
+  for (std::size_t i = 0; i < places.size(); ++i) {
+    if (counts[i] == 0) batch.dark.push_back(places[i].sample);
+    for (const CameraRays& rays : all) {
+      if ((rays.missing >> i & 1u) != 0) continue;
+      append_ray(rays, i, places[i].sample, 1.0f / static_cast<float>(counts[i]), batch);
+    }
+    if (counts[i] > 1) batch.shared.push_back({batch.tasks.back(), counts[i]});
   }
 }
 

@@ -12,7 +12,9 @@
 namespace firstlight::render {
 
 class CompiledNormal;
+class Lens;
 class MediumTable;
+struct FocalBlur;
 struct Scene;
 
 /// A place of the picture that is to light a sample of the film, in picture coordinates (see PicturePlaces::add).
@@ -20,6 +22,7 @@ struct PrimaryPlace {
   double x;
   double y;
   std::uint32_t sample;
+  std::uint32_t number = 0;  ///< of the ray among those of the place, where there is focal blur
 };
 
 /// Primary rays and their tasks, place by place. The rays are kept beside the tasks, which have no directions, in full
@@ -28,8 +31,15 @@ struct PrimaryBatch {
   std::vector<RayTask> tasks;
   std::vector<Ray> rays;
   std::vector<std::uint32_t> dark;  ///< samples of places that no ray leads through: they are black, and complete
+  /// Places that several rays share, an equal part of their light each.
+  struct Shared {
+    RayTask ray;  ///< any one of them
+    int rays;
+  };
+  std::vector<Shared> shared;
 
   void clear() {
+    shared.clear();
     tasks.clear();
     rays.clear();
     dark.clear();
@@ -50,17 +60,23 @@ class PrimaryRays {
 
   int width() const { return view_.width; }
   int height() const { return view_.height; }
+  /// Null: a place needs one ray.
+  const FocalBlur* blur() const;
   /// Appends the rays through the places, in their order.
   void append(std::span<const PrimaryPlace> places, PrimaryBatch& batch) const;
 
  private:
   void append_block(std::span<const PrimaryPlace> places, PrimaryBatch& batch) const;
+  /// The same where places have several rays.
+  void append_shared(const PicturePlaces& in_picture, std::span<const PrimaryPlace> places, PrimaryBatch& batch) const;
+  void append_ray(const CameraRays& rays, std::size_t i, std::uint32_t sample, float share, PrimaryBatch& batch) const;
   /// Turns the rays by the camera's normal.
   void tilt(std::size_t count, CameraRays& rays) const;
 
   const View view_;
   ProjectionPtr projection_;
   StartMedium medium_;
+  std::unique_ptr<const Lens> lens_;  ///< null: none
   std::unique_ptr<const CompiledNormal> normal_;  ///< null: none
   RayTask unmade_;
 };

@@ -1,6 +1,6 @@
 #include "render/trace/radiance_bound.h"
 
-#include "render/camera/projection.h"
+#include "render/camera/lens.h"
 #include "render/math/interrupt.h"
 #include "render/scene/scene.h"
 #include "render/trace/surface_limits.h"
@@ -24,7 +24,7 @@ constexpr double kUsualRow = 4.0;
 RadianceBound::RadianceBound(const Scene& scene) : RadianceBound(scene, scene.camera) {}
 
 RadianceBound::RadianceBound(const Scene& scene, const Camera& camera) {
-  const SurfaceLimits limits(scene, make_projection(camera)->origins());
+  const SurfaceLimits limits(scene, ray_origins(camera));
   known_ = limits.proven;
   const int levels = std::max(scene.settings.max_trace_level, 1);
   most_.assign(static_cast<std::size_t>(std::max(levels, 256)), 0.0f);

@@ -34,10 +34,30 @@ class Shadow {
   /// `media`: what their origins are in; `lights`: by number. Pre: equal sizes.
   void passing(const RayBlock& rays, std::span<const std::uint32_t> media, std::span<const std::uint32_t> lights,
                std::span<Rgb> shares);
-  /// The same of one ray that meets nothing opaque, and which reaches `distance` far.
-  Rgb passing_light(const Light& light, std::uint32_t medium, Ray ray, double distance);
+  /// The same of those rays whose bit is set in `open`, which meet nothing opaque; the others' shares stay. Pre:
+  /// takes_parts().
+  void pass_surfaces(const RayBlock& rays, std::uint64_t open, std::span<const std::uint32_t> media,
+                     std::span<const std::uint32_t> lights, std::span<Rgb> shares);
 
  private:
+  /// What is left of a ray's way to its light, and of the light.
+  struct Way {
+    std::size_t number;  ///< of the ray
+    Ray ray;
+    double distance;
+    std::uint32_t medium;  ///< that it is in
+    bool through_fog;      ///< fog weakens the light
+    Rgb passed;
+  };
+
+  /// Leaves those of ways_ that `keep` says.
+  template <class Keep>
+  void keep_ways(const Keep& keep);
+  /// Takes the ray through the surface.
+  void pass(const Hit& hit, Way& way);
+  void pass_fog(Way& way, double depth) const;
+  /// The share that is left at the end of the way.
+  Rgb arriving(Way& way) const;
   /// Takes from `light` what the surface keeps. False where it has no texture.
   bool filter_light(const Hit& hit, const Ray& ray, Rgb& light);
   /// Sets asked_ to the point of a surface. `whole`: with all that may be asked of it.
@@ -48,7 +68,11 @@ class Shadow {
   const Veils& veils_;
   bool takes_parts_;
   std::unique_ptr<SurfacePoints> asked_;
+  CoatList coats_;
   std::vector<TextureShare> worn_;
+  std::vector<Way> ways_;
+  std::unique_ptr<RayBlock> block_;
+  std::array<Hit, kRaysAtOnce> hits_;
   std::vector<Crossing> crossings_;  ///< of a window
 };
 

@@ -1,5 +1,6 @@
 #include "render/trace/step.h"
 
+#include "render/camera/camera.h"
 #include "render/math/interrupt.h"
 #include "render/trace/surface_limits.h"
 
@@ -37,10 +38,6 @@ RayCounts RayCounts::operator-(const RayCounts& before) const {
   return more;
 }
 
-bool is_worth_tracing(const Settings& settings, const RayTask& task) {
-  return task.level < settings.max_trace_level && !(task.adc_weight() < settings.adc_bailout);
-}
-
 Stepper::Stepper(const TraceContext& context, std::shared_ptr<const SurfaceTable> surfaces)
     : context_(context),
       table_(std::move(surfaces)),
@@ -48,6 +45,7 @@ Stepper::Stepper(const TraceContext& context, std::shared_ptr<const SurfaceTable
       bound_(context.scene, context.camera()),
       shadow_(context, *table_, veils_of_scene_),
       rays_(std::make_unique<RayBlock>()),
+      asked_(std::make_unique_for_overwrite<SurfacePoints>()),
       block_(std::make_unique<HitBlock>()),
       feelers_(std::make_unique<FeelerBlock>()) {
   for (const Light& light : context.scene.lights) {
@@ -84,10 +82,13 @@ void Stepper::step(std::span<const RayTask> tasks) {
 
 void Stepper::step_primary(std::span<const RayTask> tasks, std::span<const Ray> rays) {
   begin(tasks);
+  const double sight = std::min(farthest_sight(context_.camera()), kFarthestHit);
+  rays_->max_depth.at.fill(sight);
   for (std::size_t first = 0; first < tasks.size() && !Interrupt::asked(); first += kRaysAtOnce) {
     const std::size_t count = std::min(tasks.size() - first, kRaysAtOnce);
     step_radiance(tasks.subspan(first, count), rays.subspan(first, count), std::span(light_).subspan(first, count));
   }
+  rays_->max_depth.at.fill(kFarthestHit);
 }
 
 void Stepper::begin(std::span<const RayTask> tasks) {
@@ -129,9 +130,7 @@ void Stepper::step_radiance(std::span<const RayTask> tasks, std::span<const Ray>
     const RayTask& task = tasks[i];
     light[i] = {task.sample, {}, -bound_.at_stake(task)};
     if (hits_[i].part == kNoIndex) continue;
-    const Part& part = context_.scene.parts[hits_[i].part];
-    const bool is_glossy = part.has_shape_textures || (part.texture != kNoIndex && table_->is_glossy(part.texture));
-    order[is_glossy ? --glossy : matt++] = static_cast<std::uint8_t>(i);
+    order[table_->is_glossy(hits_[i].part) ? --glossy : matt++] = static_cast<std::uint8_t>(i);
   }
   see_surroundings(tasks, light);
   const bool is_veiled = !veils_of_scene_.empty();
@@ -139,7 +138,7 @@ void Stepper::step_radiance(std::span<const RayTask> tasks, std::span<const Ray>
     for (std::size_t k = first; k < end; ++k) {
       const std::size_t i = order[k];
       const Rgb weight = is_veiled ? tasks[i].weight() * veils_[i].kept : tasks[i].weight();
-      meet(tasks[i], {tasks[i].origin, block.direction.vector(i)}, hits_[i], weight, light[i]);
+      meet(i, tasks[i], weight, light[i]);
     }
   };
   meet_all(0, matt);
@@ -164,6 +163,7 @@ void Stepper::step_shadow(std::span<const RayTask> tasks, std::span<Contribution
     const std::uint64_t shut =
         context_.scene.windows.empty() ? 0 : end_at_windows(tasks.subspan(first, end - first)) & ~to_areas;
     const std::uint64_t blocked = context_.accel.occluded(block.rays) | shut;
+    if (shadow_.takes_parts()) ask_passing(tasks.subspan(first, end - first), block.rays.all() & ~(blocked | to_areas));
     weigh_feelers(block);
     std::size_t feeler = 0;
     for (; first < end; ++first) take_back(tasks[first], feeler, blocked, to_areas, light[first]);
@@ -209,11 +209,23 @@ std::uint64_t Stepper::ask_areas(std::span<const RayTask> tasks) {
   return to_areas;
 }
 
+void Stepper::ask_passing(std::span<const RayTask> tasks, std::uint64_t open) {
+  std::array<std::uint32_t, kRaysAtOnce> media;
+  std::array<std::uint32_t, kRaysAtOnce> lights;
+  std::size_t feeler = 0;
+  for (const RayTask& task : tasks) {
+    task.for_each_feeler([&](std::uint32_t light, PackedRgb) {
+      media[feeler] = task.medium;
+      lights[feeler++] = light;
+    });
+  }
+  shadow_.pass_surfaces(feelers_->rays, open, std::span(media).first(feeler), std::span(lights).first(feeler), shares_);
+}
+
 void Stepper::take_back(const RayTask& task, std::size_t& feeler, std::uint64_t blocked, std::uint64_t to_areas,
                         Contribution& light) {
   FixedRgb taken;
   FixedRgb at_stake;
-  const RayBlock& rays = feelers_->rays;
   const std::size_t end = feeler + static_cast<std::size_t>(task.ray_count());
   const std::int64_t count = task.ray_count();
   for (; feeler < end; ++feeler) {
@@ -223,12 +235,8 @@ void Stepper::take_back(const RayTask& task, std::size_t& feeler, std::uint64_t 
     Rgb passed(1.0f);
     if ((blocked >> feeler & 1u) != 0) {
       passed = Rgb(0.0f);
-    } else if ((to_areas >> feeler & 1u) != 0) {
+    } else if ((to_areas >> feeler & 1u) != 0 || shadow_.takes_parts()) {
       passed = shares_[feeler];
-    } else if (shadow_.takes_parts()) {
-      const Ray ray{task.origin, rays.direction.vector(feeler)};
-      const Light& from = context_.scene.lights[static_cast<std::size_t>(feelers_->light[feeler])];
-      passed = shadow_.passing_light(from, task.medium, ray, rays.max_depth[feeler] + kShadowGap);
     }
     if (passed == Rgb(1.0f)) continue;
     if (passed == Rgb(0.0f)) {

@@ -55,32 +55,30 @@ class Stepper {
   struct Mirror {
     const SurfaceLayer* layer;
     Rgb reflection;
+    std::uint32_t column;  ///< of HitBlock::layers
     double adc_weight;
-    bool is_tilted;
-    Vec3 normal;  ///< of tilted ones
   };
   /// A hit, as far as rays that it sends on need it; the HitBlock has the rest, under the same number.
   struct Surface {
     const RayTask* task;
     const Part* part;
+    const Hit* hit;
     Contribution* sum;  ///< of the task
-    Crossing crossing;
     Rgb weight;         ///< of the task, less what the way to the surface takes
-    int level;                ///< of everything spawned here
-    std::size_t layer_count;  ///< in the HitBlock's columns
     Rgb own_light;
-    std::size_t open_record;  ///< of feelers, that may take more; kNoRecord: none
+    std::int32_t level;         ///< of everything spawned here
+    std::uint32_t layer_count;  ///< in the HitBlock's columns
+    std::size_t open_record;    ///< of feelers, that may take more; kNoRecord: none
   };
   /// One coat of a hit: what its layers do together to rays that go on.
   struct Coating {
-    std::size_t hit;
-    Rgb weight;      ///< of the ray, times the coat's share of the texture
-    Rgb filter;      ///< what all layers let through
-    double share;    ///< the same as one number; 0 where nothing passes
-    bool is_tilted = false;  ///< the topmost layer is
-    Vec3 normal{0.0};        ///< of the topmost layer
-    std::size_t first_mirror;
-    std::size_t mirror_count;
+    std::uint32_t hit;
+    std::uint32_t column;  ///< of HitBlock::layers: its topmost layer
+    Rgb weight;            ///< of the ray, times the coat's share of the texture
+    Rgb filter;            ///< what all layers let through
+    double share;          ///< the same as one number; 0 where nothing passes
+    std::uint32_t first_mirror;
+    std::uint32_t mirror_count;
   };
   /// A hit whose texture has to be asked at its point.
   struct Uneven {
@@ -111,15 +109,28 @@ class Stepper {
   /// the others' shares are what they were. Returns the bits of those feelers.
   std::uint64_t ask_areas(std::span<const RayTask> tasks);
 
-  /// Adds the hit to block_ and surfaces_, unless it takes the light and gives none.
-  void meet(const RayTask& task, const Ray& ray, const Hit& hit, const Rgb& weight, Contribution& sum);
+  /// The same of those whose bit is set in `open`, which meet nothing opaque.
+  void ask_passing(std::span<const RayTask> tasks, std::uint64_t open);
+
+  /// Adds the hit of a ray of rays_ to block_ and surfaces_, unless it takes the light and gives none.
+  void meet(std::size_t ray, const RayTask& task, const Rgb& weight, Contribution& sum);
   /// One texture of a hit, and its share of how the hit looks.
   void wear(std::size_t hit, std::uint32_t texture, double share);
   /// Asks textures that differ from point to point, each for all of its hits.
   void meet_uneven();
-  /// Lays a coat on a hit. `looks`: of its layers, at point `lane`; none where `kIsEven`, as the coat then is.
-  template <bool kIsEven>
-  void put_on(std::size_t hit, const Coat& coat, double share, std::span<const LayerLook> looks, std::size_t lane);
+  /// Sets asked_ to the points of these hits.
+  void ask_uneven(std::uint32_t texture, std::span<const Uneven> hits);
+  /// Lays a settled coat on a hit.
+  void put_on(std::size_t hit, const Coat& coat, double share);
+  /// Lays any coat on a hit; looks_ has its layers, at point `lane`.
+  void put_on_uneven(std::size_t hit, const Coat& coat, double share, std::size_t lane);
+  /// One more of coatings_, from here on in the columns and mirrors.
+  Coating& begin_coating(std::size_t hit, double share);
+  /// The columns of one more layer of the hit.
+  std::uint32_t next_column(Surface& surface);
+  /// `share`: the ray's weight, and what the layers above let through.
+  void lay(std::uint32_t column, std::size_t hit, const SurfaceLayer& layer, const LayerColor& color,
+           const Rgb& share);
   /// Lights all that was met, and lets it send on its rays.
   void shade();
   /// Which hits the lights may shine on, where some are in groups.
@@ -128,10 +139,27 @@ class Stepper {
   void add_feeler(std::size_t hit, std::uint32_t light, PackedRgb at_stake);
   /// Returns true where the ray cannot leave and is reflected instead (total internal reflection).
   bool spawn_transmission(const Coating& coating);
+  /// What a ray passes into at a hit, and how it is bent there.
+  struct Passage {
+    std::uint32_t medium;
+    double ior;         ///< of the side the ray comes from, relative to the side it goes to
+    double dispersion;  ///< the same
+    int bands;          ///< that white light is split into, if there is dispersion
+  };
+  Passage passage_of(const Surface& surface) const;
+  /// Sends the child the way of its refraction; returns true where it is reflected instead.
+  bool bend(const Coating& coating, double ior, RayTask& child) const;
+  /// A ray for each band.
+  void spawn_bands(const Coating& coating, const Passage& passage, const Rgb& weight);
   /// `totally`: the coat reflects all by its topmost normal, so that mirrors of this normal have no part.
   void spawn_reflections(const Coating& coating, bool totally);
   /// What a thin film on the mirror makes of white light that comes from where it reflects.
   Rgb film_color(std::size_t hit, const Mirror& mirror, PackedDirection reflected) const;
+  /// The layer's normal at a hit.
+  Vec3 normal_at(std::size_t hit, std::uint32_t column) const;
+  bool is_tilted(std::size_t hit, std::uint32_t column) const {
+    return column < block_->layer_count && (block_->layers[column].tilted >> hit & 1u) != 0;
+  }
   /// Where a ray goes that a tilted normal reflects.
   Vec3 reflected_by(std::size_t hit, const Vec3& normal) const;
   /// `steepness`: minus the cosine of the ray to the layer's normal; even mirrors do not ask for it.
@@ -164,11 +192,12 @@ class Stepper {
   std::vector<Coating> coatings_;
   std::vector<Uneven> uneven_;
   std::vector<TextureShare> worn_;  ///< at the hit at hand
-  std::vector<std::unique_ptr<CoatPoints>> coats_;
+  std::unique_ptr<SurfacePoints> asked_;
+  CoatList coats_;
   std::vector<LayerLook> looks_;
   std::unique_ptr<HitBlock> block_;
   std::unique_ptr<FeelerBlock> feelers_;
-  std::array<Rgb, kRaysAtOnce> shares_;  ///< of the block's feelers to area lights
+  std::array<Rgb, kRaysAtOnce> shares_;  ///< of the block's feelers, where they are asked for
   std::vector<Contribution> light_;
   std::vector<RayTask> spawned_;
   std::unique_ptr<Stepper> sealed_;  ///< made when first needed
@@ -176,6 +205,8 @@ class Stepper {
 };
 
 /// Whether POV-Ray would trace the task at all (max_trace_level, adc_bailout); others add nothing.
-bool is_worth_tracing(const Settings& settings, const RayTask& task);
+inline bool is_worth_tracing(const Settings& settings, const RayTask& task) {
+  return task.level < settings.max_trace_level && !(task.adc_weight() < settings.adc_bailout);
+}
 
 }  // namespace firstlight::render

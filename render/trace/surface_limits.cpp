@@ -112,11 +112,13 @@ void Maker::add_lights() {
 
 void Maker::look_at_matter(const Box3& origins) {
   const double around = scene_.settings.atmosphere_ior;
-  const auto is_air = [around](double ior) { return std::abs(ior / around - 1.0) < kNegligible; };
+  const auto is_air = [around](const Interior& interior) {
+    return std::abs(interior.ior / around - 1.0) < kNegligible && dispersion_of(interior) == 1.0;
+  };
   matter_ = 0.0;
   for (const Interior& interior : scene_.interiors) {
     matter_ = std::max(matter_, std::abs(interior.refraction_scale));
-    if (!is_air(interior.ior)) bends_ = true;
+    if (!is_air(interior)) bends_ = true;
     need(interior.caustics == 0.0);  // a feeler may gain at any number of surfaces
     if (std::abs(interior.fade_distance) <= kNegligible) continue;
     const Rgb& color = interior.fade_color;
@@ -127,7 +129,7 @@ void Maker::look_at_matter(const Box3& origins) {
   for (const Part& part : scene_.parts) {
     if (!part.opaque) clear.insert(part.interior);
   }
-  if (clear.size() != 1 || is_air(scene_.interiors[*clear.begin()]->ior)) return;
+  if (clear.size() != 1 || is_air(scene_.interiors[*clear.begin()])) return;
   goes_straight_ = std::ranges::any_of(scene_.solids, [&](const Solid& solid) {
     return !clear.contains(solid.matter) && may_hold_start(solid, origins);
   });

@@ -2,6 +2,7 @@
 
 #include "render/trace/step.h"
 
+#include <algorithm>
 #include <bit>
 #include <cstddef>
 
@@ -15,7 +16,7 @@ void Stepper::see_surroundings(std::span<const RayTask> tasks, std::span<Contrib
       const RayTask& task = tasks[i];
       veils_[i] = {};
       if (!is_hollow(context_.scene, context_.media, task.medium)) continue;
-      const double depth = hits_[i].part == kNoIndex ? kSkyDepth : hits_[i].depth;
+      const double depth = hits_[i].part == kNoIndex ? std::min(kSkyDepth, rays_->max_depth[i]) : hits_[i].depth;
       veils_[i] = veils_of_scene_.across({task.origin, rays_->direction.vector(i)}, depth);
       light[i].light += FixedRgb::from(task.weight() * veils_[i].added);
     }

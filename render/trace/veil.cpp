@@ -141,7 +141,7 @@ std::optional<Veil> Veils::bow(const Bow& bow, const Ray& ray, double depth, std
 }
 
 bool is_hollow(const Scene& scene, MediumTable& media, std::uint32_t medium) {
-  while (medium != MediumTable::kOutside) {
+  while (!media.is_outside(medium)) {
     const std::uint32_t interior = media.innermost(medium);
     if (!scene.interiors[interior]->hollow) return false;
     medium = media.left(medium, interior);

@@ -109,6 +109,15 @@ TEST_F(CompareContent, StaysWhenNothingChanges) {
   EXPECT_EQ(before_.size(), 16u);
 }
 
+TEST_F(CompareContent, KnowsScenesThatWriteFiles) {
+  const auto writes = [&] { return SceneContent({}).writes_files(folder_.path / "a.pov"); };
+  EXPECT_FALSE(writes());
+  folder_.write("part.inc", "// as #fopen does\n#fopen In \"wood.txt\" read\n#write (Out, \"fopen\")");
+  EXPECT_FALSE(writes());
+  folder_.write("part.inc", "# fopen Out concat(Name, \".txt\") append");
+  EXPECT_TRUE(writes());
+}
+
 TEST_F(CompareContent, ChangesWithTheScene) {
   folder_.write("a.pov", "#include \"part.inc\"");
   EXPECT_NE(key(), before_);

@@ -62,7 +62,7 @@ TEST(SteerCommands, StatusIsOneLineOfJson) {
   progress.queue_bytes = 320;
   progress.seconds = 1.5;
   progress.remaining = 0.25;
-  steered.desk.publish(progress);
+  steered.desk.progress(progress);
   steered.answer("pause");
   steered.answer("boost region 1 2 3 4 as face");
   const std::string answer = steered.answer("status");

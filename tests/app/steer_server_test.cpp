@@ -64,7 +64,7 @@ class Server : public testing::Test {
     std::string error;
     server_ = SteerServer::open(path_, error);
     ASSERT_NE(server_, nullptr) << error;
-    server_->start(steered_.commands);
+    server_->start(steered_.steering, steered_.desk);
   }
 
   const Folder folder_;

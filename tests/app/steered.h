@@ -18,7 +18,10 @@ namespace firstlight::app {
 
 /// Everything that those who steer a picture meet, but nobody renders it.
 struct Steered {
-  Steered() : steering(order_of("contribution")), desk(steering), commands(steering, desk) {}
+  Steered()
+      : steering(order_of("contribution")),
+        desk(steering, [this](const std::string& file) { return write(file); }),
+        commands(steering, desk) {}
 
   priority::Order order_of(const std::string& text) {
     scene.lights.resize(2);
@@ -32,16 +35,18 @@ struct Steered {
 
   render::Scene scene;
   priority::Steering steering;
+  Desk::Write write;  ///< of while_served()
   Desk desk;
   SteerCommands commands;
 };
 
 /// Runs `what` while another thread does what the one that renders does with wishes to save.
 inline void while_served(Steered& steered, const Desk::Write& write, const std::function<void()>& what) {
+  steered.write = write;
   std::atomic<bool> over = false;
   std::thread renderer([&] {
     while (!over) {
-      if (steered.steering.take_save_request()) steered.desk.serve(write);
+      if (steered.steering.take_save_request()) steered.desk.serve();
       std::this_thread::yield();
     }
   });

@@ -71,6 +71,8 @@ std::vector<AntialiasedScene> with_both_methods() {
       {"cameras/angle_wide.pov", {"+A0.3", "+R3", "-J", "+BS8"}},  // other borders of blocks
       {"full/mirror_room.pov", {"+A", "+J"}},                      // samples moved from their places
       {"patterns/checker.pov", {"+A0.3", "+R2", "+J0.5"}},
+      {"cameras/blur_7.pov", {"+A0.1", "+R2", "-J"}},  // places that are means of samples
+      {"cameras/aperture.pov", {"+A0.2", "+R2", "+J"}},
   };
   std::vector<AntialiasedScene> out;
   for (const AntialiasedScene& scene : scenes) {

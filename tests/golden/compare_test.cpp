@@ -225,6 +225,24 @@ TEST(Compare, KeepsThePictures) {
   EXPECT_EQ(std::distance(fs::directory_iterator(scratch / "new/folder"), fs::directory_iterator()), 4);
 }
 
+TEST(Compare, WhatASceneWritesIsMetByNobodyElse) {
+  // In the scene's folder lies a file of that name: neither program may change it or take it for what it has written.
+  const ScratchFolder scratch;
+  scratch.write("size.txt", "9,\n");
+  scratch.write("size.inc", "#fopen Out \"size.txt\" write\n#write (Out, 0.5, \",\\n\")\n#fclose Out\n");
+  scratch.write(
+      "a.pov",
+      std::string(kSphere) +
+          "#include \"size.inc\"\n#fopen In \"size.txt\" read\n#read (In, Size)\n#fclose In\n"
+          "#if (Size != 0.5) #error \"another file\" #end\nbox { -Size, Size translate 2*x pigment { rgb 1 } }\n");
+  const ProcessResult result = compare({"a.pov", "--size", "32x24", "--rounds", "2"}, scratch);
+  EXPECT_EQ(result.exit_code, 0) << result.summary() << '\n' << result.out << result.err;
+  EXPECT_EQ(std::distance(fs::directory_iterator(scratch.path()), fs::directory_iterator()), 3);
+  std::string kept;
+  std::getline(std::ifstream(scratch / "size.txt"), kept);
+  EXPECT_EQ(kept, "9,");
+}
+
 TEST(Compare, SaysWhereItCannotWrite) {
   const ScratchFolder scratch;
   scratch.write("a.pov", kSphere);

@@ -103,7 +103,8 @@ INSTANTIATE_TEST_SUITE_P(Scenes, OrderIsFree,
                          testing::Values(Given{"full/mirror_room.pov", {}}, Given{"full/still_life.pov", {}},
                                          Given{"finishes/reflection_forms.pov", {}},
                                          Given{"lights/coloured_shadows.pov", {"+A0.1", "+AM2", "+R2"}},
-                                         Given{"interior/refraction.pov", {"+A0.2", "+AM1", "+R2"}}),
+                                         Given{"interior/refraction.pov", {"+A0.2", "+AM1", "+R2"}},
+                                         Given{"cameras/aperture.pov", {"+A0.2", "+AM1", "+R2"}}),
                          [](const auto& info) { return test_name(info.param.scene); });
 
 }  // namespace

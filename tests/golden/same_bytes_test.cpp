@@ -48,10 +48,12 @@ TEST_P(SameBytes, WhateverTheSchemeAndTheThreads) {
   }
 }
 
-// Mirrors and many levels; refraction and coloured shadows; constructive geometry; textures with transformed patterns.
+// Mirrors and many levels; refraction and coloured shadows; constructive geometry; textures with transformed patterns;
+// rounds of samples.
 INSTANTIATE_TEST_SUITE_P(Scenes, SameBytes,
                          testing::Values("full/mirror_room.pov", "interior/refraction.pov", "shapes/difference.pov",
-                                         "lights/coloured_shadows.pov", "finishes/reflection_forms.pov"),
+                                         "lights/coloured_shadows.pov", "finishes/reflection_forms.pov",
+                                         "cameras/blur_19.pov"),
                          [](const auto& info) { return test_name(info.param); });
 
 }  // namespace

@@ -4,7 +4,6 @@
 #include "parser/directive/reader.h"
 #include "parser/statement/statements.h"
 #include "render/feature/feature.h"
-#include "render/scene/form.h"
 #include "tests/parser/scene_text.h"
 
 #include <optional>
@@ -48,15 +47,6 @@ inline render::Object object_of(std::string_view text) {
   EXPECT_EQ(parsed.errors, "") << text;
   EXPECT_EQ(parsed.warnings, "") << text;
   return parsed.object.value_or(render::Object());
-}
-
-/// Its form, which must be a T.
-template <class T>
-T form_of(std::string_view text) {
-  const render::Object object = object_of(text);
-  const T* form = object.extras->form ? std::get_if<T>(&object.extras->form->shape) : nullptr;
-  EXPECT_TRUE(form) << text;
-  return form ? *form : T();
 }
 
 /// The scene of `text`, with a camera behind it unless the text has one, which may ask for what cannot be rendered.

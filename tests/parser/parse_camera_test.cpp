@@ -63,12 +63,12 @@ TEST(ParseCameraKind, MeshCameraTakesMeshes) {
       "mesh_camera { 1 3 0.5 mesh2 { vertex_vectors { 3, 0, x, y } face_indices { 1, <0, 1, 2> } } smooth } location "
       "z");
   EXPECT_EQ(camera.kind, CameraKind::mesh);
-  EXPECT_EQ(spelled(camera.unrendered), "camera mesh_camera");
+  EXPECT_EQ(spelled(camera.unrendered), "");
   EXPECT_EQ(camera.mesh.rays_per_pixel, 1);
   EXPECT_EQ(camera.mesh.distribution, 3);
   EXPECT_EQ(camera.mesh.max_ray_distance, 0.5);
   EXPECT_TRUE(camera.mesh.smooth);
-  EXPECT_EQ(camera.mesh.meshes->size(), 1u);
+  EXPECT_EQ(camera.mesh.meshes.size(), 1u);
   for (const char* words :
        {"0 0 mesh { triangle { 0, x, y } }", "1 4 mesh { triangle { 0, x, y } }", "2 2 mesh { triangle { 0, x, y } }",
         "2 0 mesh { triangle { 0, x, y } }", "1 0 mesh { triangle { 0, x, y } } smooth", "1 0"}) {
@@ -97,7 +97,7 @@ TEST(ParseCameraBlur, ItsWordsAreRead) {
   EXPECT_EQ(camera.blur.confidence, 0.95);
   EXPECT_EQ(camera.blur.variance, 0.005);
   EXPECT_TRUE(camera.blur.bokeh);
-  EXPECT_EQ(spelled(camera.unrendered), "aperture");
+  EXPECT_TRUE(camera.blur.shows());
 }
 
 TEST(ParseCameraBlur, DefaultsArePovRays) {
@@ -111,15 +111,15 @@ TEST(ParseCameraBlur, DefaultsArePovRays) {
 }
 
 TEST(ParseCameraBlur, ShowsWithApertureAndSamplesOnly) {
-  EXPECT_TRUE(camera_of("aperture 0.4 focal_point x").unrendered.empty());
-  EXPECT_TRUE(camera_of("blur_samples 10").unrendered.empty());
-  EXPECT_EQ(errors(load_bare("camera { location -z aperture 0.4 blur_samples 10 }")),
-            "'aperture' cannot be rendered by this version of Firstlight\n");
+  EXPECT_FALSE(camera_of("aperture 0.4 focal_point x").blur.shows());
+  EXPECT_FALSE(camera_of("blur_samples 10").blur.shows());
+  EXPECT_TRUE(camera_of("aperture 0.4 blur_samples 10").blur.shows());
 }
 
 TEST(ParseCameraBlur, RefusesWhatMakesNoSense) {
   EXPECT_NE(mistake("blur_samples 0").find("above 0"), std::string::npos);
   EXPECT_NE(mistake("blur_samples 10, 5").find("smaller one"), std::string::npos);
+  EXPECT_NE(mistake("blur_samples 10, 70000").find("at most 65536"), std::string::npos);
   const auto result = described("sphere { 0, 1 } camera { confidence 2 variance -1 }");
   EXPECT_EQ(result.scene->camera.blur.confidence, 0.9);
   EXPECT_NE(warnings(result).find("'confidence' must be"), std::string::npos);
@@ -138,8 +138,7 @@ TEST(ParseCamera, DeclaredCameraKeepsItsKind) {
   const auto scene = described_scene(
       "sphere { 0, 1 } #declare C = camera { panoramic aperture 1 blur_samples 4 } camera { C translate x }");
   EXPECT_EQ(scene->camera.kind, CameraKind::panoramic);
-  EXPECT_EQ(spelled(scene->camera.unrendered), "aperture");
-  EXPECT_EQ(spelled(scene->unrendered), "aperture");
+  EXPECT_TRUE(scene->camera.blur.shows());
 }
 
 }  // namespace

@@ -1,77 +1,78 @@
 #include "tests/parser/object_text.h"
 
+#include <algorithm>
+#include <vector>
+
 namespace firstlight::parser {
 namespace {
 
-using render::IsosurfaceForm;
-using render::ParametricForm;
+using render::Ray;
 using render::Vec2;
 using render::Vec3;
 
-double value(const render::FunctionPtr& function, std::array<double, 3> arguments) {
-  render::Evaluation evaluation;
-  std::array<double, render::Function::kMostResults> results{};
-  function->evaluate(arguments.data(), results.data(), evaluation);
-  return results[0];
+std::vector<render::Crossing> met(const render::ShapePtr& shape, const Ray& ray) {
+  std::vector<render::Crossing> all;
+  if (shape) shape->crossings(ray, all);
+  return all;
 }
 
+std::vector<double> depths(const std::string& text, const Ray& ray) {
+  std::vector<double> found;
+  for (const render::Crossing& crossing : met(object_of(text).shape, ray)) found.push_back(crossing.depth);
+  std::sort(found.begin(), found.end());
+  return found;
+}
+
+const Ray kAlongX{Vec3(-5, 0.1, 0.1), Vec3(1, 0, 0)};
+
 TEST(ParseIsosurface, DefaultsArePovRays) {
-  const auto form = form_of<IsosurfaceForm>("isosurface { function { x + 2*y + 4*z } }");
-  EXPECT_EQ(value(form.function, {1, 1, 1}), 7.0);
-  EXPECT_EQ(form.threshold, 0.0);
-  EXPECT_EQ(form.accuracy, 0.001);
-  EXPECT_EQ(form.max_gradient, 1.1);
-  EXPECT_EQ(form.max_trace, 1);
-  EXPECT_FALSE(form.open || form.evaluate);
-  EXPECT_EQ(std::get<render::ContainerBox>(form.container).low, Vec3(-1, -1, -1));
+  const auto shape = object_of("isosurface { function { x + 2*y + 4*z } }").shape;
+  EXPECT_EQ(shape->bounds(), render::Box3(Vec3(-1), Vec3(1)));
+  EXPECT_TRUE(shape->inside(Vec3(-0.1, 0, 0)));
+  EXPECT_FALSE(shape->inside(Vec3(0.1, 0, 0)));
+  EXPECT_FALSE(shape->inside(Vec3(-1.1, 0, 0)));
+  EXPECT_EQ(depths("isosurface { function { abs(x) - 0.5 } }", kAlongX).size(), 1u);
 }
 
 TEST(ParseIsosurface, AllItsWordsAreRead) {
-  const auto form = form_of<IsosurfaceForm>(
-      "#declare F = function (x, y, z) { x*y*z } isosurface { function { F(x, y, z) - 1 } contained_by { sphere { y, 3 "
-      "} } "
-      "threshold 0.5 accuracy 0.01 max_gradient 4 evaluate 1, 1.2, 0.9 open max_trace 3 }");
-  EXPECT_EQ(value(form.function, {1, 2, 3}), 5.0);
-  EXPECT_EQ(std::get<render::ContainerSphere>(form.container).radius, 3.0);
-  EXPECT_EQ(form.threshold, 0.5);
-  EXPECT_EQ(form.accuracy, 0.01);
-  EXPECT_EQ(form.max_gradient, 4.0);
-  EXPECT_EQ((*form.evaluate)[1], 1.2);
-  EXPECT_TRUE(form.open);
-  EXPECT_EQ(form.max_trace, 3);
-  const auto boxed = form_of<IsosurfaceForm>(
-      "isosurface { function { x } contained_by { box { <1, -2, 3>, <-1, 2, -3> } } all_intersections }");
-  EXPECT_EQ(std::get<render::ContainerBox>(boxed.container).low, Vec3(-1, -2, -3));
-  EXPECT_EQ(boxed.max_trace, IsosurfaceForm::kMostTraces);
+  const std::string text =
+      "#declare F = function (x, y, z) { abs(x)*y } isosurface { function { 10*F(x, 1, z) - 1 } contained_by { sphere { y, 3 "
+      "} } threshold 4 accuracy 0.0001 max_gradient 10 evaluate 1, 1.2, 0.9 open ";
+  EXPECT_EQ(object_of(text + "}").shape->bounds(), render::Box3(Vec3(-3, -2, -3), Vec3(3, 4, 3)));
+  EXPECT_EQ(depths(text + "max_trace 1 }", kAlongX).size(), 1u);
+  const std::vector<double> two = depths(text + "max_trace 3 }", kAlongX);
+  ASSERT_EQ(two.size(), 2u);
+  EXPECT_NEAR(two[0], 4.5, 1e-3);
+  EXPECT_NEAR(two[1], 5.5, 1e-3);
+  EXPECT_EQ(depths(text + "all_intersections }", kAlongX).size(), 2u);
+  const auto boxed = object_of("isosurface { function { x } contained_by { box { <1, -2, 3>, <-1, 2, -3> } } }").shape;
+  EXPECT_EQ(boxed->bounds(), render::Box3(Vec3(-1, -2, -3), Vec3(1, 2, 3)));
 }
 
 TEST(ParseIsosurface, ValuesWithoutSenseBecomeTheDefault) {
-  const ParsedObject parsed = parsed_object("isosurface { function { x } accuracy 0 max_gradient -1 max_trace 99 }");
-  const auto& form = std::get<IsosurfaceForm>(parsed.object->extras->form->shape);
-  EXPECT_EQ(form.accuracy, 0.001);
-  EXPECT_EQ(form.max_gradient, 1.1);
-  EXPECT_EQ(form.max_trace, 10);
+  const ParsedObject parsed =
+      parsed_object("isosurface { function { abs(x) - 0.5 } accuracy 0 max_gradient -1 max_trace 99 }");
   EXPECT_NE(parsed.warnings.find("'accuracy' must be above 0"), std::string::npos);
-  EXPECT_EQ(spelled(parsed.object->extras->unrendered), "isosurface");
+  EXPECT_NE(parsed.warnings.find("'max_gradient' must be above 0"), std::string::npos);
+  EXPECT_NE(parsed.warnings.find("'max_trace' is at most 10"), std::string::npos);
+  EXPECT_EQ(met(parsed.object->shape, kAlongX).size(), 2u);
   EXPECT_NE(parsed_object("isosurface { box { -1, 1 } }").errors.find("'function'"), std::string::npos);
+  EXPECT_NE(parsed_object("isosurface { function { x } accuracy 1/0 }").errors, "");
 }
 
 TEST(ParseParametric, TakesThreeFunctionsAndARange) {
-  const std::string text =
-      "parametric { function { u*v }, function { u + v } function { v } <3, 1>, <0, 2> contained_by { box { -3, 3 } } "
-      "accuracy 0.01 max_gradient 5 precompute 15, x, z }";
-  const render::Object object = object_of(text);
-  const auto form = form_of<ParametricForm>(text);
+  const render::Object object = object_of(
+      "parametric { function { u }, function { v + 1 } function { u*v } <2, 1>, <-2, -1> contained_by { box { -3, 3 } } "
+      "accuracy 0.01 max_gradient 3 precompute 9, x, z }");
   EXPECT_TRUE(object.patch);
-  EXPECT_EQ(value(form.functions[0], {2, 3, 0}), 6.0);
-  EXPECT_EQ(value(form.functions[2], {2, 3, 0}), 3.0);
-  EXPECT_EQ(form.low, Vec2(0, 1));
-  EXPECT_EQ(form.high, Vec2(3, 2));
-  EXPECT_EQ(form.accuracy, 0.01);
-  EXPECT_EQ(form.max_gradient, 5.0);
-  EXPECT_EQ(form.precompute_depth, 15);
-  EXPECT_EQ(form.precompute, (std::array<bool, 3>{true, false, true}));
-  EXPECT_EQ(std::get<render::ContainerBox>(form.container).high, Vec3(3, 3, 3));
+  EXPECT_EQ(object.shape->bounds(), render::Box3(Vec3(-3), Vec3(3)));
+  const Ray ray{Vec3(0.5, 1.5, -5), Vec3(0, 0, 1)};
+  const auto all = met(object.shape, ray);
+  ASSERT_EQ(all.size(), 1u);
+  EXPECT_NEAR(all[0].depth, 5.25, 0.05);
+  const Vec2 uv = object.shape->uv(ray.at(all[0].depth), all[0]);
+  EXPECT_NEAR(uv.x, 0.5, 0.05);
+  EXPECT_NEAR(uv.y, 0.5, 0.05);
 }
 
 TEST(ParseHeightField, TakesAPictureAndALevel) {

@@ -74,36 +74,6 @@ TEST(ParseForm, OvusWithATooLargeTopIsASphere) {
   EXPECT_NE(parsed_object("ovus { -1, 3 }").errors.find("must be positive"), std::string::npos);
 }
 
-TEST(ParseForm, JuliaFractalTakesItsFunctionAndSlice) {
-  const auto plain = form_of<render::JuliaFractalForm>("julia_fractal { <-0.083, 0, -0.83, -0.025> }");
-  EXPECT_EQ(plain.function, render::JuliaFunction::square);
-  EXPECT_EQ(plain.algebra, render::JuliaFractalForm::Algebra::quaternion);
-  EXPECT_EQ(plain.most_iterations, 20);
-  EXPECT_EQ(plain.precision, 20.0);
-  const auto form = form_of<render::JuliaFractalForm>(
-      "julia_fractal { <1, 2, 3, 4> hypercomplex pwr(2, 3) max_iteration 8.9 precision 0.5 slice <0, 0, 0, 2>, 0.1 }");
-  EXPECT_EQ(form.parameter, render::Vec4(1, 2, 3, 4));
-  EXPECT_EQ(form.function, render::JuliaFunction::power);
-  EXPECT_EQ(form.exponent, (std::pair<double, double>(2, 3)));
-  EXPECT_EQ(form.most_iterations, 8);
-  EXPECT_EQ(form.precision, 1.0);
-  EXPECT_EQ(form.slice_normal, render::Vec4(0, 0, 0, 1));
-  EXPECT_EQ(form.slice_distance, 0.1);
-}
-
-TEST(ParseForm, JuliaFractalKnowsAllFunctions) {
-  for (const char* word : {"sqr", "cube"}) {
-    form_of<render::JuliaFractalForm>("julia_fractal { <1, 0, 0, 0> quaternion " + std::string(word) + " }");
-  }
-  for (const char* word : {"exp", "reciprocal", "sin", "asin", "sinh", "asinh", "cos", "acos", "cosh", "acosh", "tan",
-                           "atan", "tanh", "atanh", "ln"}) {
-    const std::string text = std::string(word) + " hypercomplex }";
-    EXPECT_NE(form_of<render::JuliaFractalForm>("julia_fractal { <1, 0, 0, 0> " + text).function,
-              render::JuliaFunction::square);
-    EXPECT_NE(parsed_object("julia_fractal { <1, 0, 0, 0> " + std::string(word) + " }").errors, "");
-  }
-}
-
 TEST(ParseForm, JuliaFractalRefusesASliceWithoutDirection) {
   EXPECT_NE(parsed_object("julia_fractal { 1 slice 0, 1 }").errors.find("'slice' is zero"), std::string::npos);
   EXPECT_NE(parsed_object("julia_fractal { 1 slice <1, 0, 0, 0>, 1 }").errors.find("last component"),
@@ -181,13 +151,16 @@ TEST(ParseForm, PolygonThatIsNotFlatIsLeftOut) {
 }
 
 TEST(ParseForm, SphereSweepTakesBalls) {
-  const auto form = form_of<render::SphereSweepForm>(
-      "sphere_sweep { b_spline 4, <0, 0, 0>, 1, <1, 0, 0>, 2, <2, 0, 0> 1 <3, 0, 0> 1 tolerance 0.1 }");
-  EXPECT_EQ(form.spline, render::SphereSweepForm::Spline::b_spline);
-  ASSERT_EQ(form.balls.size(), 4u);
-  EXPECT_EQ(form.balls[1].radius, 2.0);
-  EXPECT_EQ(form.tolerance, 0.1);
-  EXPECT_EQ(form_of<render::SphereSweepForm>("sphere_sweep { linear_spline 2, 0, 1, x, 1 }").tolerance, 1e-6);
+  const std::string balls = "4, <0, 0, 0>, 1, <1, 0, 0>, 2, <2, 0, 0> 1 <3, 0, 0> 1 ";
+  const auto shape = object_of("sphere_sweep { b_spline " + balls + "tolerance 0.1 }").shape;
+  EXPECT_EQ(shape->given_bounds(), render::Box3(Vec3(-1, -2, -2), Vec3(4, 2, 2)));
+  EXPECT_TRUE(shape->inside(Vec3(1, 1.4, 0)));
+  EXPECT_FALSE(shape->inside(Vec3(1, 1.9, 0)));
+  EXPECT_TRUE(object_of("sphere_sweep { cubic_spline " + balls + "}").shape->inside(Vec3(1, 1.9, 0)));
+  std::vector<render::Crossing> near;
+  shape->crossings({Vec3(-0.05, 0, 0) + Vec3(1, 0, 0), Vec3(1, 0, 0)}, near);
+  for (const render::Crossing& crossing : near) EXPECT_GT(crossing.depth, 0.1);
+  EXPECT_TRUE(object_of("sphere_sweep { linear_spline 2, 0, 1, x, 1 }").shape->inside(Vec3(0.5, 0.9, 0)));
   EXPECT_NE(parsed_object("sphere_sweep { cubic_spline 3, 0, 1, x, 1, y, 1 }").errors.find("at least 4"),
             std::string::npos);
   EXPECT_NE(parsed_object("sphere_sweep { 2, 0, 1, x, 1 }").errors.find("'linear_spline'"), std::string::npos);
@@ -253,31 +226,29 @@ TEST(ParseForm, BlobNeedsAComponentWithLength) {
   EXPECT_NE(parsed_object("blob { cylinder { x, x, 1, 1 } }").errors.find("no length"), std::string::npos);
 }
 
-TEST(ParseForm, DegenerateShapesOfGuessedNumbersAreLeftOut) {
-  const auto result = described(
-      "#declare B = julia_fractal { <-0.08, 0, -0.8, -0.02> } #declare P = trace(B, 5*y, -y); cylinder { P, trace(B, 5*y, -y), 1 } "
-      "blob { #if (inside(B, 5)) sphere { 0, 1, 1 } #end } sphere { 0, 1 }");
-  EXPECT_EQ(errors(result), "");
-  EXPECT_NE(warnings(result).find("'cylinder' has no length"), std::string::npos);
-  EXPECT_NE(warnings(result).find("'blob' needs at least one"), std::string::npos);
-}
-
-TEST(ParseForm, DescribedShapeSaysThatItCannotBeRenderedWhereItIsUsed) {
-  const auto unused = load("#declare B = julia_fractal { <-0.08, 0, -0.8, -0.02> } sphere { 0, 1 }");
-  EXPECT_TRUE(unused.scene);
-  const auto used = load("#declare B = julia_fractal { <-0.08, 0, -0.8, -0.02> }\nobject { B }");
-  EXPECT_FALSE(used.scene);
-  EXPECT_NE(errors(used).find("'julia_fractal' cannot be rendered"), std::string::npos);
-  EXPECT_EQ(used.summary.objects, 1u);
-}
-
-TEST(ParseForm, DescribedShapeTakesModifiersAsAnyObject) {
-  const render::Object object =
-      object_of("julia_fractal { <-0.08, 0, -0.8, -0.02> rotate 90*x inverse hollow }");
+TEST(ParseForm, JuliaFractalTakesItsWords) {
+  const std::string start = "julia_fractal { <-0.08, 0, -0.8, -0.02> ";
+  const render::Object object = object_of(start + "quaternion cube max_iteration 5.9 precision 50 slice <0, 0, 0.1, 1>, 0.1 "
+                                                  "rotate 90*x inverse hollow }");
   EXPECT_TRUE(object.inverted);
   EXPECT_EQ(object.hollow, render::Object::Hollow::yes);
   EXPECT_EQ(object.word, "julia_fractal");
-  EXPECT_EQ(spelled(object.extras->unrendered), "julia_fractal");
+  EXPECT_TRUE(object.shape->inside(Vec3(0.0)));
+  for (const char* function : {"sqr", "cube", "exp", "reciprocal", "sin", "asin", "sinh", "asinh", "cos", "acos", "cosh",
+                               "acosh", "tan", "atan", "tanh", "atanh", "ln", "pwr(2, 0.5)"}) {
+    EXPECT_TRUE(object_of(start + "hypercomplex " + function + " }").shape) << function;
+  }
+  EXPECT_NE(parsed_object(start + "exp }").errors.find("must be 'hypercomplex'"), std::string::npos);
+  EXPECT_NE(parsed_object(start + "slice <0, 0, 1, 0>, 0 }").errors.find("last component"), std::string::npos);
+  EXPECT_NE(parsed_object(start + "max_iteration 1e9 }").errors.find("at most"), std::string::npos);
+}
+
+TEST(ParseForm, ShapesAreAskedWhereTheyAre) {
+  const auto result = load(
+      "#declare B = julia_fractal { <-0.08, 0, -0.8, -0.02> translate 3*x } #declare P = trace(B, <3, 5, 0>, -y); "
+      "#if (!inside(B, 3*x) | inside(B, 0) | abs(P.x - 3) > 0.001 | min_extent(B).x < 1) #error \"elsewhere\" #end "
+      "sphere { P, 1 }");
+  EXPECT_EQ(errors(result), "");
 }
 
 }  // namespace

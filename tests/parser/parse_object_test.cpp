@@ -188,8 +188,8 @@ TEST(ParseObject, NothingOutOfNothingIsLimitedToo) {
 }
 
 TEST(ParseObject, UnsupportedModifierIsNamed) {
-  EXPECT_EQ(errors(load("sphere { 0, 1 pigment { tiling 1 } }")),
-            "'tiling' cannot be rendered by this version of Firstlight\n");
+  EXPECT_EQ(errors(load("sphere { 0, 1 pigment { pavement } }")),
+            "'pavement' cannot be rendered by this version of Firstlight\n");
 }
 
 }  // namespace

@@ -83,24 +83,6 @@ TEST(ParseShape, PlaneWithoutNormalIsAnError) {
   EXPECT_NE(errors(load("plane { 0, 1 }")).find("normal of 'plane'"), std::string::npos);
 }
 
-TEST(ParseShape, ShapeThatCannotBeRenderedIsNamedAtItsPlace) {
-  const auto result = load_bare("camera { location -z }\n  julia_fractal { <-0.08, 0, -0.8, -0.02> }\n");
-  ASSERT_FALSE(result.scene);
-  const auto& error = result.diagnostics.back();
-  EXPECT_EQ(errors(result), "'julia_fractal' cannot be rendered by this version of Firstlight\n");
-  EXPECT_EQ(error.line, 2u);
-  EXPECT_EQ(error.column, 3u);
-}
-
-TEST(ParseShape, ShapeThatCannotBeRenderedMayBeDeclared) {
-  EXPECT_EQ(
-      errors(load("#declare Q = julia_fractal { <-0.08, 0, -0.8, -0.02> } #declare D = intersection { object { Q } box { -1, 1 } }"
-                  " sphere { 0, 1 }")),
-      "");
-  EXPECT_NE(errors(load("#declare Q = julia_fractal { <-0.08, 0, -0.8, -0.02> } object { Q }")).find("'julia_fractal'"),
-            std::string::npos);
-}
-
 TEST(ParseShape, MissingBraceIsNamed) {
   const auto result = load_bare("sphere { 0, 1\nbox { 0, 1 }\ncamera { }");
   ASSERT_FALSE(result.scene);

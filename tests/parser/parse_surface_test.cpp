@@ -117,8 +117,9 @@ TEST(ParseInterior, HoldsDispersionCausticsAndMedia) {
   EXPECT_EQ(interior.caustics, 0.7);
   EXPECT_EQ(interior.media.size(), 2u);
   EXPECT_EQ(unrendered("sphere { 0, 1 interior { dispersion 1.02 caustics 1 media { } } }"),
-            "dispersion media ");
-  EXPECT_EQ(unrendered("sphere { 0, 1 interior { dispersion 1 caustics 0 } }"), "");
+            "media ");
+  EXPECT_TRUE(says(errors(load_described("sphere { 0, 1 interior { dispersion 0 } }")), "above 0"));
+  EXPECT_TRUE(says(errors(load_described("sphere { 0, 1 interior { dispersion_samples 1001 } }")), "at most 1000"));
   EXPECT_TRUE(says(errors(load_described("sphere { 0, 1 interior { dispersion_samples 1 } }")), "at least 2"));
 }
 

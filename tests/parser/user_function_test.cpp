@@ -94,16 +94,6 @@ TEST(UserFunction, IsHandedOnByName) {
             "296");
 }
 
-TEST(ObjectFunction, WhatIsOnlyDescribedIsAnsweredSomehowAndRefusedForRendering) {
-  const std::string text =
-      "#declare B = julia_fractal { <-0.08, 0, -0.8, -0.02> }"
-      "#declare P = trace(B, -5*z, z) + max_extent(B)*2 + inside(B, 0);";
-  EXPECT_EQ(errors(load(text + " sphere { P, 1 }")),
-            "'trace' cannot be rendered by this version of Firstlight\n"
-            "'extent' cannot be rendered by this version of Firstlight\n"
-            "'inside' cannot be rendered by this version of Firstlight\n");
-}
-
 TEST(Spline, GoesThroughItsPoints) {
   const auto at = [](const std::string& kind, const std::string& t) {
     return debugged("#declare S = spline { " + kind +

@@ -44,7 +44,7 @@ double rounding_of(const render::Rgb& color) {
 /// Compares the picture with the finished one at every checkpoint.
 class Comparing final : public Observer {
  public:
-  /// `plain`: without anti-aliasing, so that what the film says is just what waiting rays can change.
+  /// `plain`: without anti-aliasing and blur, so that what the film says is just what waiting rays can change.
   Comparing(const render::Film& film, const std::vector<render::Rgb>& finished, bool plain)
       : film_(film), finished_(finished), plain_(plain) {}
 
@@ -98,7 +98,7 @@ TEST(Remaining, BoundsTheDifferenceFromTheFinishedPictureAtEveryMoment) {
                        std::to_string(memory) + " bytes");
           const auto scheme = scheme_of(row.example, scene);
           render::Film film(kWidth, kHeight);
-          Comparing comparing(film, finished, true);
+          Comparing comparing(film, finished, !scene.scene().camera.blur.shows());
           TraceOptions options;
           options.scheme = scheme.get();
           options.threads = threads;

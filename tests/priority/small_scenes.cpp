@@ -39,9 +39,10 @@ class Maker {
     use(CameraKind::perspective);
   }
 
-  void use(CameraKind kind) {
+  void use(CameraKind kind, const FocalBlur& blur = {}) {
     Camera camera;
     camera.kind = kind;
+    camera.blur = blur;
     camera.location = Vec3(0.5, 1.2, -4.0);
     look_at(camera, Vec3(0.0));
     builder_.set_camera(camera);
@@ -84,9 +85,9 @@ render::TraceContext SmallScene::context() {
 
 namespace {
 
-std::unique_ptr<const Scene> hall_seen_by(CameraKind kind) {
+std::unique_ptr<const Scene> hall_seen_by(CameraKind kind, const FocalBlur& blur = {}) {
   Maker maker(5);
-  maker.use(kind);
+  maker.use(kind, blur);
   const FilteredColor brown{Rgb(0.4f, 0.25f, 0.1f)};
   const FilteredColor grey{Rgb(0.6f)};
   maker.add("Floor", make_plane({0, 1, 0}, -1.0), texture_of(brown, mirror(0.2f), &grey));
@@ -102,6 +103,15 @@ std::unique_ptr<const Scene> hall_seen_by(CameraKind kind) {
 }  // namespace
 
 SmallScene hall_of_mirrors() { return {"hall of mirrors", hall_seen_by(CameraKind::perspective)}; }
+
+SmallScene hall_through_a_lens() {
+  FocalBlur blur;
+  blur.aperture = 0.3;
+  blur.samples = 5;
+  blur.variance = 1e-3;
+  blur.focal_distance = 3.0;
+  return {"hall through a lens", hall_seen_by(CameraKind::perspective, blur)};
+}
 
 SmallScene hall_through_a_fisheye() { return {"hall through a fisheye", hall_seen_by(CameraKind::fisheye)}; }
 
@@ -170,6 +180,7 @@ std::vector<SmallScene> small_scenes() {
   std::vector<SmallScene> scenes;
   scenes.push_back(hall_of_mirrors());
   scenes.push_back(hall_through_a_fisheye());
+  scenes.push_back(hall_through_a_lens());
   scenes.push_back(coloured_glass());
   scenes.push_back(mirrors_with_exponents());
   scenes.push_back(lights_of_many_kinds());

@@ -34,6 +34,8 @@ class SmallScene {
 SmallScene hall_of_mirrors();
 /// The same, seen by a camera of which no ray leads through the corners of the picture.
 SmallScene hall_through_a_fisheye();
+/// The same through a lens: pixels are means of several samples.
+SmallScene hall_through_a_lens();
 /// Glass that bends, filters and fades what goes through, and shadows of its colours.
 SmallScene coloured_glass();
 /// Reflections with exponents, whose trees are traced in one go.

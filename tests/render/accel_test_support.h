@@ -22,7 +22,7 @@ inline Hit brute_closest(const Scene& scene, const RayQuery& query) {
     for (std::size_t i = all.size(); i-- > 0;) {
       const Crossing& c = all[i];
       if (!(c.depth > query.min_depth && c.depth < best.depth)) continue;
-      best = {c.depth, c.part, c.face, c.shape, static_cast<std::uint32_t>(s)};
+      best = Hit({c.depth, c.shape, c.part, c.face, {}}, static_cast<std::uint32_t>(s));
     }
   }
   return best.part == kNoIndex ? Hit() : best;

@@ -71,7 +71,8 @@ struct Development {
       : film(width, height) {
     const std::int64_t most = FixedRgb::from(Rgb(2.0f)).r;
     film.expect(most);
-    Antialiasing antialiasing(settings, film);
+    PlaceSampler places(film, std::nullopt);
+    Antialiasing antialiasing(settings, film, places);
     const double offset = base_offset(settings);
     std::vector<SamplePoint> first;
     for (int y = 0; y < height; ++y) {

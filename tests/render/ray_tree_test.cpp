@@ -1,6 +1,5 @@
 #include "render/math/ray_tree.h"
 
-#include "render/math/polynomial.h"
 #include "tests/render/shape_test_support.h"
 
 #include <set>
@@ -32,27 +31,6 @@ TEST(RayTree, VisitsEveryBoxThatARayMeets) {
 
 TEST(RayTree, OfNothingVisitsNothing) {
   RayTree().walk({Vec3(0.0), Vec3(1, 0, 0)}, kBoundless, [](std::uint32_t) { FAIL(); });
-}
-
-TEST(Polynomial, OfAnyOrderHasItsRoots) {
-  const std::vector<double> expected{-2.5, -1.0, 0.25, 0.5, 1.5, 2.0, 3.0};
-  std::vector<double> c{1.0};
-  for (const double root : expected) {
-    std::vector<double> product(c.size() + 1, 0.0);
-    for (std::size_t i = 0; i < c.size(); ++i) {
-      product[i] -= root * c[i];
-      product[i + 1] += c[i];
-    }
-    c = product;
-  }
-  std::array<double, 7> roots;
-  ASSERT_EQ(polynomial_roots(c, -10.0, 10.0, roots), 7u);
-  for (std::size_t i = 0; i < 7; ++i) EXPECT_NEAR(roots[i], expected[i], 1e-10);
-  ASSERT_EQ(polynomial_roots(c, 0.0, 1.0, roots), 2u);
-  EXPECT_NEAR(roots[0], 0.25, 1e-12);
-  EXPECT_EQ(polynomial_roots(std::vector<double>{1.0}, 0.0, 1.0, roots), 0u);
-  ASSERT_EQ(polynomial_roots(std::vector<double>{-1.0, 2.0}, 0.0, 1.0, roots), 1u);
-  EXPECT_NEAR(roots[0], 0.5, 1e-12);
 }
 
 }  // namespace

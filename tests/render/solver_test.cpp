@@ -3,69 +3,125 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <random>
+#include <vector>
 
 namespace firstlight::render {
 namespace {
 
-/// Coefficients of (x - r0)(x - r1)(x - r2)(x - r3).
-std::array<double, 5> from_roots(const std::array<double, 4>& r) {
-  std::array<double, 5> c = {1, 0, 0, 0, 0};
-  for (std::size_t n = 0; n < 4; ++n) {
-    for (std::size_t i = n + 1; i > 0; --i) c[i] = c[i - 1] - r[n] * c[i];
-    c[0] *= -r[n];
+/// Coefficients of (x - r0)(x - r1)...
+std::vector<double> from_roots(const std::vector<double>& roots) {
+  std::vector<double> c{1.0};
+  for (const double root : roots) {
+    std::vector<double> product(c.size() + 1, 0.0);
+    for (std::size_t i = 0; i < c.size(); ++i) {
+      product[i] -= root * c[i];
+      product[i + 1] += c[i];
+    }
+    c = product;
   }
   return c;
 }
 
-TEST(QuarticRoots, FindsFourKnownRoots) {
-  std::array<double, 4> roots;
-  ASSERT_EQ(quartic_roots(from_roots({-3, -1, 2, 5}), -10, 10, roots), 4);
-  const std::array<double, 4> expected = {-3, -1, 2, 5};
-  for (std::size_t i = 0; i < 4; ++i) EXPECT_NEAR(roots[i], expected[i], 1e-12);
+std::vector<double> roots_of(const std::vector<double>& c, double low, double high) {
+  std::vector<double> roots;
+  PolynomialRoots search(c, low, high);
+  for (double root; search.next(root);) roots.push_back(root);
+  return roots;
 }
 
-TEST(QuarticRoots, KeepsToTheInterval) {
-  std::array<double, 4> roots;
-  ASSERT_EQ(quartic_roots(from_roots({-3, -1, 2, 5}), 0, 4, roots), 1);
-  EXPECT_NEAR(roots[0], 2.0, 1e-12);
-  EXPECT_EQ(quartic_roots(from_roots({-3, -1, 2, 5}), 2.5, 4, roots), 0);
-  EXPECT_EQ(quartic_roots(from_roots({-3, -1, 2, 5}), 4, 2.5, roots), 0);
+void expect_roots(const std::vector<double>& c, double low, double high, const std::vector<double>& expected,
+                  double tolerance) {
+  const std::vector<double> roots = roots_of(c, low, high);
+  ASSERT_EQ(roots.size(), expected.size());
+  for (std::size_t i = 0; i < roots.size(); ++i) ASSERT_NEAR(roots[i], expected[i], tolerance);
 }
 
-TEST(QuarticRoots, FindsNoneWhereThereIsNone) {
-  std::array<double, 4> roots;
-  EXPECT_EQ(quartic_roots({1, 0, 2, 0, 1}, -10, 10, roots), 0);
-  EXPECT_EQ(quartic_roots({5, 0, 0, 0, 0}, -10, 10, roots), 0);
+TEST(PolynomialRoots, FindsFourKnownRoots) { expect_roots(from_roots({-3, -1, 2, 5}), -10, 10, {-3, -1, 2, 5}, 1e-12); }
+
+TEST(PolynomialRoots, KeepsToTheInterval) {
+  expect_roots(from_roots({-3, -1, 2, 5}), 0, 4, {2}, 1e-12);
+  expect_roots(from_roots({-3, -1, 2, 5}), 2.5, 4, {}, 0.0);
+  expect_roots(from_roots({-3, -1, 2, 5}), 4, 2.5, {}, 0.0);
 }
 
-TEST(QuarticRoots, TellsNearlyEqualRootsApart) {
-  std::array<double, 4> roots;
-  ASSERT_EQ(quartic_roots(from_roots({-1, 1, 1.0001, 3}), -10, 10, roots), 4);
-  EXPECT_NEAR(roots[1], 1.0, 1e-9);
-  EXPECT_NEAR(roots[2], 1.0001, 1e-9);
+TEST(PolynomialRoots, FindsNoneWhereThereIsNone) {
+  expect_roots({1, 0, 2, 0, 1}, -10, 10, {}, 0.0);
+  expect_roots({5, 0, 0, 0, 0}, -10, 10, {}, 0.0);
+  expect_roots({0, 0, 0, 0, 0}, -10, 10, {}, 0.0);
+  expect_roots({1}, 0, 1, {}, 0.0);
+  expect_roots({}, 0, 1, {}, 0.0);
 }
 
-TEST(QuarticRoots, FindsRandomRoots) {
+TEST(PolynomialRoots, TellsNearlyEqualRootsApart) {
+  expect_roots(from_roots({-1, 1, 1.0001, 3}), -10, 10, {-1, 1, 1.0001, 3}, 1e-9);
+}
+
+TEST(PolynomialRoots, LeavesOutWhereTheCurveOnlyTouches) {
+  expect_roots(from_roots({-1, 0.5, 0.5, 3}), -10, 10, {-1, 3}, 1e-12);
+  expect_roots(from_roots({2, 2, 2}), -10, 10, {2}, 1e-4);
+}
+
+TEST(PolynomialRoots, ARootWhereAnIntervalIsHalvedCountsOnce) {
+  expect_roots(from_roots({-2, 0, 2}), -4, 4, {-2, 0, 2}, 1e-12);
+  expect_roots(from_roots({0, 1, 2, 4}), -8, 8, {0, 1, 2, 4}, 1e-12);
+}
+
+TEST(PolynomialRoots, FindsRandomRootsOfAllOrders) {
   std::mt19937 random(7);
   std::uniform_real_distribution<double> between(-2.0, 2.0);
   for (int round = 0; round < 20000; ++round) {
-    std::array<double, 4> expected;
+    std::vector<double> expected(static_cast<std::size_t>(1 + round % 6));
     for (double& r : expected) r = between(random);
     std::sort(expected.begin(), expected.end());
     double gap = 1.0;
-    for (std::size_t i = 1; i < 4; ++i) gap = std::min(gap, expected[i] - expected[i - 1]);
-    if (gap < 1e-3) continue;
-    std::array<double, 4> roots;
-    ASSERT_EQ(quartic_roots(from_roots(expected), -3, 3, roots), 4);
-    for (std::size_t i = 0; i < 4; ++i) ASSERT_NEAR(roots[i], expected[i], 1e-9);
+    for (std::size_t i = 1; i < expected.size(); ++i) gap = std::min(gap, expected[i] - expected[i - 1]);
+    if (gap < 1e-2) continue;
+    expect_roots(from_roots(expected), -3, 3, expected, 1e-8);
   }
 }
 
-TEST(CubicRoots, FindsKnownRoots) {
-  std::array<double, 3> roots;
-  ASSERT_EQ(cubic_roots({-6, 11, -6, 1}, 0, 10, roots), 3);
-  for (std::size_t i = 0; i < 3; ++i) EXPECT_NEAR(roots[i], static_cast<double>(i + 1), 1e-12);
+TEST(PolynomialRoots, OfHighOrderAreFound) {
+  const std::vector<double> c = from_roots({-2.5, -1.0, 0.25, 0.5, 1.5, 2.0, 3.0});
+  expect_roots(c, -10.0, 10.0, {-2.5, -1.0, 0.25, 0.5, 1.5, 2.0, 3.0}, 1e-10);
+  expect_roots(c, 0.0, 1.0, {0.25, 0.5}, 1e-12);
+  std::vector<double> power(kMostOrder + 1, 0.0);
+  power.front() = -1.0;
+  power.back() = 1.0;
+  expect_roots(power, -2.0, 2.0, {-1.0, 1.0}, 1e-12);
+}
+
+TEST(PolynomialRoots, NearZeroAreFoundInAWideInterval) {
+  expect_roots(from_roots({-0.5, 0.25, 1.0, 2.0}), -1e7, 1e7, {-0.5, 0.25, 1.0, 2.0}, 1e-12);
+  expect_roots(from_roots({-1e6, 0.25, 0.5, 1.0}), -1e7, 1e7, {-1e6, 0.25, 0.5, 1.0}, 1e-6);
+}
+
+TEST(PolynomialRoots, EveryWhereDoubleEnd) {
+  // A square: nothing but rounding has a sign near the roots.
+  std::mt19937 random(8);
+  std::uniform_real_distribution<double> between(-2.0, 2.0);
+  for (int round = 0; round < 2000; ++round) {
+    const double a = between(random);
+    const double b = between(random);
+    EXPECT_EQ(roots_of(from_roots({a, a, b, b}), -3, 3).size() % 2, 0u);
+  }
+}
+
+TEST(RootBound, HoldsAllRoots) {
+  std::mt19937 random(9);
+  std::uniform_real_distribution<double> between(-50.0, 50.0);
+  for (int round = 0; round < 2000; ++round) {
+    std::vector<double> roots(static_cast<std::size_t>(1 + round % 6));
+    double farthest = 0.0;
+    for (double& root : roots) {
+      root = between(random);
+      farthest = std::max(farthest, std::abs(root));
+    }
+    const double bound = root_bound(from_roots(roots));
+    EXPECT_GE(bound, farthest);
+    EXPECT_LE(bound, 32.0 * farthest);
+  }
 }
 
 }  // namespace

@@ -115,13 +115,13 @@ TEST(SurfaceTable, WhatHasAPatternIsNotEven) {
   const Scene scene = scene_of({{layer}});
   const SurfaceTable table(scene);
   EXPECT_EQ(table.even_coat(0), nullptr);
-  std::vector<std::unique_ptr<CoatPoints>> coats;
+  CoatList coats;
   table.unfold(0, points_at({{0.5, 0.5, 0.5}, {1.5, 0.5, 0.5}}), coats);
   ASSERT_EQ(coats.size(), 1u);
-  const SurfaceLayer& found = table.layers(*coats[0]->coat)[0];
+  const SurfaceLayer& found = table.layers(*coats[0].coat)[0];
   EXPECT_FALSE(found.is_plain);
   LayerLook look;
-  table.look(found, *coats[0], look);
+  table.look(found, coats[0], look);
   EXPECT_EQ(look.colors.color(0).rgb, Rgb(0.0f, 0.0f, 1.0f));
   EXPECT_EQ(look.colors.color(1).rgb, Rgb(0.0f, 1.0f, 0.0f));
   EXPECT_EQ(table.color(found, {Rgb(0.5f), 1.0f, 0.0f}).passed, Rgb(0.5f));
@@ -142,25 +142,26 @@ Scene scene_of_a_map() {
 TEST(SurfaceTable, AMapShowsBothOfItsNeighbouringTexturesByTheirShares) {
   const Scene scene = scene_of_a_map();
   const SurfaceTable table(scene);
-  std::vector<std::unique_ptr<CoatPoints>> coats;
+  CoatList coats;
   table.unfold(0, points_at({{0.0, 0.0, 0.0}, {0.25, 0.0, 0.0}, {1.0, 0.0, 0.0}}), coats);
   ASSERT_EQ(coats.size(), 2u);
-  ASSERT_EQ(coats[0]->points.size, 2u);
-  EXPECT_EQ(coats[0]->lane[0], 0);
-  EXPECT_EQ(coats[0]->lane[1], 1);
-  EXPECT_DOUBLE_EQ(coats[0]->share[0], 1.0);
-  EXPECT_DOUBLE_EQ(coats[0]->share[1], 0.75);
-  ASSERT_EQ(coats[1]->points.size, 2u);
-  EXPECT_EQ(coats[1]->lane[0], 1);
-  EXPECT_DOUBLE_EQ(coats[1]->share[0], 0.25);
-  EXPECT_DOUBLE_EQ(coats[1]->share[1], 1.0);
+  ASSERT_EQ(coats[0].points.size, 2u);
+  EXPECT_EQ(coats[0].lane[0], 0);
+  EXPECT_EQ(coats[0].lane[1], 1);
+  EXPECT_DOUBLE_EQ(coats[0].share[0], 1.0);
+  EXPECT_DOUBLE_EQ(coats[0].share[1], 0.75);
+  ASSERT_EQ(coats[1].points.size, 2u);
+  EXPECT_EQ(coats[1].lane[0], 1);
+  EXPECT_DOUBLE_EQ(coats[1].share[0], 0.25);
+  EXPECT_DOUBLE_EQ(coats[1].share[1], 1.0);
 }
 
 TEST(SurfaceTable, LightThroughAMapIsFilteredByBothTextures) {
   const Scene scene = scene_of_a_map();
   const SurfaceTable table(scene);
   std::vector<Rgb> light(2, Rgb(0.5f));
-  table.filter(0, points_at({{0.0, 0.0, 0.0}, {0.25, 0.0, 0.0}}), light);
+  CoatList scratch;
+  table.filter(0, points_at({{0.0, 0.0, 0.0}, {0.25, 0.0, 0.0}}), light, scratch);
   EXPECT_EQ(light[0], Rgb(0.5f, 0.0f, 0.0f));
   EXPECT_EQ(light[1], Rgb(0.5f, 0.125f, 0.125f));
 }
@@ -172,15 +173,15 @@ TEST(SurfaceTable, ATiltedNormalIsLeftWithThePoints) {
   layer.extras.change().normal = std::move(normal);
   const Scene scene = scene_of({{layer}});
   const SurfaceTable table(scene);
-  std::vector<std::unique_ptr<CoatPoints>> coats;
+  CoatList coats;
   table.unfold(0, points_at({{0.3, 0.4, 0.5}}), coats);
   ASSERT_EQ(coats.size(), 1u);
   LayerLook look;
-  table.look(table.layers(*coats[0]->coat)[0], *coats[0], look);
+  table.look(table.layers(*coats[0].coat)[0], coats[0], look);
   const Vec3 tilted = look.normals.vector(0);
   EXPECT_NEAR(tilted.length(), 1.0, 1e-12);
   EXPECT_NE(tilted, Vec3(0.0, 1.0, 0.0));
-  EXPECT_EQ(coats[0]->points.tilted.vector(0), tilted);
+  EXPECT_EQ(coats[0].points.tilted.vector(0), tilted);
 }
 
 }  // namespace
