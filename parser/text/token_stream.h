@@ -37,7 +37,7 @@ class TokenStream {
 
   // --- tokens -------------------------------------------------------------------------------------------------------
   const Token& peek() {
-    if (!settled_ || (pending_ && !is_held())) settle();
+    if (!settled_ || pending_) settle();
     return *next_;
   }
   const Token& take() {
