@@ -132,7 +132,10 @@ std::size_t SweepSegment::touching(const Ray& ray, std::array<double, kMostRoots
   const std::array<double, 5> b1b1 = b1 * b1;
   for (double& c : b1) c = -c;
   const std::array<double, 11> equation = d1 * d1 + (b * b1) * d1 + b1b1 * d;
-  return has_no_root(equation) ? 0 : polynomial_roots(equation, 0.0, 1.0, u);
+  if (has_no_root(equation)) return 0;
+  std::size_t count = 0;
+  for (PolynomialRoots roots(equation, 0.0, 1.0); count < u.size() && roots.next(u[count]);) ++count;
+  return count;
 }
 
 bool SweepSegment::straight_depth(const Ray& ray, double u, double& depth) const {
@@ -147,7 +150,7 @@ bool SweepSegment::holds(const Vec3& point) const {
   const std::array<double, 7> d = distance(*this, point);
   std::array<double, 6> roots;
   if (order == 1) return quadratic_roots(d[2], d[1], d[0], roots) > 0;
-  return !has_no_root(d) && polynomial_roots(d, 0.0, 1.0, roots) > 0;
+  return !has_no_root(d) && PolynomialRoots(d, 0.0, 1.0).next(roots[0]);
 }
 
 }  // namespace firstlight::render
