@@ -44,7 +44,7 @@ render::LoadResult PovFrontEnd::load(const std::string& path, const render::Load
     Reader reader(interpreter);
     interpreter.open_scene(path);
     parse_scene(reader, context);
-    if (interpreter.has_failed()) return result;
+    if (interpreter.recovery().has_failed()) return result;
     interpreter.finish();
     std::unique_ptr<const render::Scene> scene = builder.build();
     result.summary = summarize(*scene, interpreter);

@@ -45,7 +45,7 @@ Value make_number(double value) {
 Interpreter::Interpreter(const render::LoadOptions& options, render::Diagnostics& diagnostics, SceneContext& context)
     : Evaluator(options, diagnostics, context.builder), context_(context) {
   const auto declare = [this](std::string_view name, Value value) {
-    *scopes_.target(symbols_.intern(name), false) = std::move(value);
+    *scopes().target(symbols().intern(name), false) = std::move(value);
   };
   declare("image_width", make_number(options.width));
   declare("image_height", make_number(options.height));
@@ -65,75 +65,29 @@ Interpreter::Interpreter(const render::LoadOptions& options, render::Diagnostics
   }
 }
 
-void Interpreter::read_permissions() {
-  std::vector<Permissions> all;
-  for (const std::string& path : options_.permission_files) {
-    Diagnostic error;
-    error.file = path;
-    error.message = "the permissions cannot be read";
-    const std::optional<std::string> text = SourceFiles::text_of(path);
-    if (!text) throw SyntaxError({error});
-    std::vector<std::string> problems;
-    all.push_back(Permissions::parse(*text, Permissions::places(), problems));
-    if (problems.empty()) continue;
-    error.message = problems.front();
-    throw SyntaxError({error});
-  }
-  files_.restrict_to(std::move(all));
-}
-
-void Interpreter::open_scene(const std::string& path) {
-  read_permissions();
-  const SourceFiles::Result result = files_.read_scene(path, options_.library_paths);
-  if (result.status == SourceFiles::Status::found) {
-    *scopes_.target(symbols_.intern("input_file_name"), false) = std::filesystem::path(path).filename().string();
-    const TokenFile& file = tokens_of(*result.file);
-    Frame frame;
-    frame.file = &file;
-    frame.end = static_cast<std::uint32_t>(file.tokens.size() - 1);
-    enter_frame(std::move(frame));
-    return;
-  }
-  Diagnostic error;
-  error.file = path;
-  switch (result.status) {
-    case SourceFiles::Status::missing:
-      error.message = "there is no such file";
-      break;
-    case SourceFiles::Status::too_large:
-      error.message = "the file is too large (limit " + std::to_string(SourceFiles::kLargestFile >> 20) + " MiB)";
-      break;
-    default:
-      error.message = "the file cannot be read";
-      break;
-  }
-  throw SyntaxError({error});
-}
-
-const TokenFile& Interpreter::tokens_of(const SourceFile& file) {
-  if (file.index >= token_files_.size()) token_files_.resize(file.index + 1);
-  std::unique_ptr<TokenFile>& slot = token_files_[file.index];
-  if (!slot) {
-    slot = std::make_unique<TokenFile>(tokenize(file, symbols_));
-    slot->first = tokens_cut_;
-    tokens_cut_ += slot->tokens.size();
-  }
-  return *slot;
-}
-
 void Interpreter::count_step(const Location& at) {
-  replays_ = true;
+  note_replay();
   if (++steps_ > kMostSteps) {
     fail_finally(at, "this scene turns in loops or macros without end (limit " + std::to_string(kMostSteps) +
                          " turns and calls)");
   }
 }
 
+void Interpreter::call_macro(const Token& name, std::shared_ptr<const Macro> macro) {
+  macros_.call(name, std::move(macro));
+}
+
+Scopes::Slot Interpreter::pick_part(const Scopes::Slot& container, const Token& name, Pick purpose) {
+  return containers_.pick_part(container, name, purpose);
+}
+
+std::string Interpreter::parse_key() { return containers_.parse_key(); }
+
 void Interpreter::run_directive() {
-  Frame& frame = frames_.back();
-  const std::uint32_t hash = frame.position;
-  const Token& word = frame.file->tokens[hash + 1];
-  frame.position = std::min(hash + 2, frame.end);
+  Frame& text = frame();
+  const std::uint32_t hash = text.position;
+  const Token& word = text.file->tokens[hash + 1];
+  text.position = std::min(hash + 2, text.end);
   count(word.keyword);
   obey(word, hash);
 }
@@ -142,34 +96,34 @@ void Interpreter::obey(const Token& word, std::uint32_t hash) {
   switch (word.keyword) {
     case Keyword::declare:
     case Keyword::local:
-      return run_declare(word, true);
+      return declarations_.run_declare(word, true);
     case Keyword::undef:
       return run_undef(word);
     case Keyword::if_:
     case Keyword::ifdef:
     case Keyword::ifndef:
-      return run_if(word, hash);
+      return conditions_.run_if(word, hash);
     case Keyword::else_:
     case Keyword::elseif:
     case Keyword::case_:
     case Keyword::range:
-      return run_further_branch(word, hash);
+      return conditions_.run_further_branch(word, hash);
     case Keyword::switch_:
-      return run_switch(word, hash);
+      return conditions_.run_switch(word, hash);
     case Keyword::while_:
-      return run_while(word, hash);
+      return conditions_.run_while(word, hash);
     case Keyword::for_:
-      return run_for(word, hash);
+      return conditions_.run_for(word, hash);
     case Keyword::end:
-      return run_end(word, hash);
+      return conditions_.run_end(word, hash);
     case Keyword::break_:
-      return run_break(word);
+      return conditions_.run_break(word);
     case Keyword::macro:
-      return define_macro(word, hash);
+      return macros_.define(word, hash);
     case Keyword::include:
       return run_include(word);
     case Keyword::version:
-      return run_version(word, hash == 0 && frames_.size() == 1);
+      return run_version(word, hash == 0 && frames().size() == 1);
     case Keyword::default_: {
       Reader reader(*this);
       return parse_default(reader, context_);
@@ -181,23 +135,23 @@ void Interpreter::obey(const Token& word, std::uint32_t hash) {
     case Keyword::statistics:
       return run_message(word);
     case Keyword::fopen:
-      return run_fopen(word);
+      return data_files_.run_fopen(word);
     case Keyword::fclose:
-      return run_fclose(word);
+      return data_files_.run_fclose(word);
     case Keyword::read:
-      return run_read(word);
+      return data_files_.run_read(word);
     case Keyword::write:
-      return run_write(word);
+      return data_files_.run_write(word);
     default:
       break;
   }
-  const bool undeclared = word.kind == TokenKind::identifier && scopes_.find(word.symbol) == nullptr;
+  const bool undeclared = word.kind == TokenKind::identifier && scopes().find(word.symbol) == nullptr;
   if (undeclared || word.is_end()) {
     fail(word.location, "expected a directive after '#', found " + describe(word) + suggestion(word.text));
   }
   // POV-Ray passes over a '#' that begins no directive.
   warn(word.location, "expected a directive after '#', found " + describe(word) + "; the '#' is ignored");
-  frames_.back().position = hash + 1;
+  frame().position = hash + 1;
 }
 
 void Interpreter::run_bare_directive() {
@@ -206,7 +160,7 @@ void Interpreter::run_bare_directive() {
   const Nesting nesting(*this);
   switch (word.keyword) {
     case Keyword::declare:
-      return run_declare(word, false);
+      return declarations_.run_declare(word, false);
     case Keyword::include:
       return run_include(word);
     case Keyword::version:
@@ -231,7 +185,7 @@ void Interpreter::run_undef(const Token& word) {
   unsettle();
   const Scopes::Reach reach = take_reach();
   const Token& name = take_identifier(word, reach);
-  const Scopes::Binding* binding = scopes_.find(name.symbol, reach);
+  const Scopes::Binding* binding = scopes().find(name.symbol, reach);
   if (binding == nullptr) {
     warn(name.location, "'" + std::string(name.text) + "' is not declared, so '#undef' changes nothing");
     return;
@@ -241,60 +195,8 @@ void Interpreter::run_undef(const Token& word) {
     *pick_part(slot, name, Pick::test) = std::monostate();
     return;
   }
-  if (const auto* file = std::get_if<std::shared_ptr<DataFile>>(slot.get())) close_data_file(**file, name.location);
-  scopes_.remove(name.symbol, reach);
-}
-
-void Interpreter::run_include(const Token& word) {
-  const Token& at = peek();
-  const std::string name = parse_path(*this);
-  unsettle();
-  const SourceFiles::Result result = files_.read_include(name, *frames_.back().file->source);
-  found_file(result, name, at.location);
-  std::size_t depth = 0;
-  for (const Frame& frame : frames_) depth += frame.macro == nullptr;
-  if (depth > kDeepestInclude) {
-    fail_finally(word.location,
-                 "included files are nested too deeply here (limit " + std::to_string(kDeepestInclude) + ")");
-  }
-  const TokenFile& file = tokens_of(*result.file);
-  Frame frame;
-  frame.file = &file;
-  frame.end = static_cast<std::uint32_t>(file.tokens.size() - 1);
-  frame.call = at.location;
-  enter_frame(std::move(frame));
-}
-
-// Says what is wrong when the file was not found, or not by that name.
-const SourceFiles::Result& Interpreter::found_file(const SourceFiles::Result& result, const std::string& name,
-                                                   const Location& at) {
-  switch (result.status) {
-    case SourceFiles::Status::found:
-      break;
-    case SourceFiles::Status::missing:
-      fail(at, "there is no file '" + name + "' in the current folder, the scene's or the library folders");
-    case SourceFiles::Status::forbidden:
-      fail(at, "'" + name +
-                   "' may not be read: a scene may read files of its own folder, the current folder, the library "
-                   "folders, and where its permissions allow");
-    case SourceFiles::Status::too_large:
-      fail(at,
-           "'" + result.path + "' is too large (limit " + std::to_string(SourceFiles::kLargestFile >> 20) + " MiB)");
-    case SourceFiles::Status::unreadable:
-      fail(at, "'" + result.path + "' cannot be read");
-  }
-  if (result.other_slashes) {
-    warn(at, "there is no file '" + name + "'; '" + result.path + "' is read, as if each '\\' in the name were '/'");
-  } else if (result.other_case) {
-    warn(at,
-         "there is no file '" + name + "'; '" + result.path + "' is read, whose name differs in upper and lower case");
-  }
-  return result;
-}
-
-std::string Interpreter::find_file(const std::string& name, const std::vector<std::string>& extensions,
-                                   const Location& at) {
-  return found_file(files_.find_file(name, extensions, *frames_.back().file->source), name, at).path;
+  if (const auto* file = std::get_if<std::shared_ptr<DataFile>>(slot.get())) data_files_.close(**file, name.location);
+  scopes().remove(name.symbol, reach);
 }
 
 const Token& Interpreter::take_identifier(const Token& word, Scopes::Reach reach) {
@@ -307,19 +209,19 @@ const Token& Interpreter::take_identifier(const Token& word, Scopes::Reach reach
 
 void Interpreter::finish() {
   const Location end = peek().location;
-  if (!conditions_.empty()) fail_unclosed(*conditions_.back().word);
-  close_data_files();
-  if (!language_.version_stated()) {
+  conditions_.check_closed();
+  data_files_.close_all();
+  if (!language().version_stated()) {
     warn(end,
          "no '#version' in this scene: where 3.7 differs from 3.6 in what it renders, 3.6 holds, so without "
          "'assumed_gamma' "
          "there is no gamma correction");
-  } else if (!language_.gamma_stated()) {
-    warn(end, language_.effective_version() < 370
+  } else if (!language().gamma_stated()) {
+    warn(end, language().effective_version() < 370
                   ? "no 'assumed_gamma' in this scene for a version before 3.7: there is no gamma correction"
                   : "no 'assumed_gamma' in this scene: it is taken to be 1.0");
   }
-  language_.store(context_.builder.settings());
+  language().store(context_.builder.settings());
 }
 
 }  // namespace firstlight::parser

@@ -1,4 +1,6 @@
 // After a mistake: where reading goes on, and which further mistakes are only its consequences.
+#include "parser/directive/recovery.h"
+
 #include "parser/directive/interpreter.h"
 
 #include <algorithm>
@@ -18,7 +20,7 @@ bool goes_on_with_block(Keyword word) {
 
 }  // namespace
 
-bool Interpreter::is_consequence(const SyntaxError& error) const {
+bool Recovery::is_consequence(const SyntaxError& error) const {
   if (mistakes_ == 0) return false;
   if (error.unbalanced) return true;
   if (error.undeclared != kNoSymbol && (include_failed_ || broken_names_.contains(error.undeclared))) return true;
@@ -27,72 +29,71 @@ bool Interpreter::is_consequence(const SyntaxError& error) const {
 }
 
 // Tells of a mistake after which the scene cannot be rendered but can be read further.
-void Interpreter::report_mistake(const SyntaxError& error) {
+void Recovery::report(const SyntaxError& error) {
   if (!is_consequence(error)) {
     const Diagnostic& at = error.diagnostics.front();
     reported_places_.insert({at.file, at.line, at.column});
     render::Diagnostics messages = error.diagnostics;
-    if (error.undeclared != kNoSymbol && scopes_.find(error.undeclared) == nullptr) {
-      const std::string hint = standard_file_hint(symbols_.name(error.undeclared));
+    if (error.undeclared != kNoSymbol && in_.scopes().find(error.undeclared) == nullptr) {
+      const std::string hint = standard_file_hint(in_.symbols().name(error.undeclared));
       std::string& message = messages.front().message;
       if (!hint.empty()) message = message.substr(0, message.find("; did you mean")) + hint;
     }
-    for (const Diagnostic& message : messages) report(message);
+    for (const Diagnostic& message : messages) in_.report(message);
     if (++mistakes_ >= kMostMistakes) give_up();
   }
   if (error.undeclared != kNoSymbol) broken_names_.insert(error.undeclared);
   if (++failures_ >= kMostFailures) give_up();
 }
 
-std::string Interpreter::standard_file_hint(std::string_view name) const {
+std::string Recovery::standard_file_hint(std::string_view name) const {
   if (name.size() < kShortestStandardName) return {};
-  const std::string file = files_.standard_file_with(name);
+  const std::string file = in_.files().standard_file_with(name);
   if (file.empty()) return {};
   return "; '" + std::string(name) + "' is declared in the standard file '" + file + "', which is not included";
 }
 
-void Interpreter::give_up() {
+void Recovery::give_up() {
   Diagnostic last;
   last.severity = Diagnostic::Severity::note;
-  last.file = frames_.front().file->source->name;
+  last.file = in_.frames().front().file->source->name;
   last.message = "reading stops here, after " + std::to_string(mistakes_) + (mistakes_ == 1 ? " error" : " errors");
   SyntaxError error({last});
   error.fatal = true;
   throw error;
 }
 
-void Interpreter::recover(const SyntaxError& error) {
-  if (error.fatal || frames_.empty()) throw error;
-  report_mistake(error);
-  unsettle();
+void Recovery::recover(const SyntaxError& error) {
+  if (error.fatal || in_.frames().empty()) throw error;
+  report(error);
+  const TokenStream::StatementStart statement = in_.statement();
+  in_.unsettle();
   std::set<std::pair<const TokenFile*, std::uint32_t>> noted;  // a macro that calls itself leaves many such frames
-  while (frames_.size() > std::max<std::size_t>(statement_.frames, 1)) {
-    const Frame& frame = frames_.back();
+  while (in_.frames().size() > std::max<std::size_t>(statement.frames, 1)) {
+    const Interpreter::Frame& frame = in_.frame();
     if (noted.emplace(frame.file, frame.position).second) note_broken_names(frame.position, frame.end);
-    leave_frame();
+    in_.leave_frame();
   }
-  drop_blocks();
-  const bool same_frame = frames_.size() == statement_.frames && statement_.position <= frames_.back().position;
-  const std::uint32_t reached = frames_.back().position;
-  const std::uint32_t start = same_frame ? statement_.position : reached;
-  std::erase_if(conditions_, [&](const Condition& condition) {
-    return condition.frame > frames_.size() ||
-           (same_frame && condition.frame == frames_.size() && condition.hash >= start);
-  });
+  in_.drop_blocks();
+  const bool same_frame = in_.frames().size() == statement.frames && statement.position <= in_.frame().position;
+  const std::uint32_t reached = in_.frame().position;
+  const std::uint32_t start = same_frame ? statement.position : reached;
+  in_.conditions().forget_left();
+  if (same_frame) in_.conditions().forget_since(start);
   // The end of a loop whose condition is wrong ends it.
-  const bool at_end = same_frame && frames_.back().file->tokens[start + 1].is(Keyword::end);
-  if (at_end && in_block()) conditions_.pop_back();
-  frames_.back().position = next_statement(start, reached);
-  note_broken_names(start, frames_.back().position);
+  const bool at_end = same_frame && in_.frame().file->tokens[start + 1].is(Keyword::end);
+  if (at_end) in_.conditions().forget_innermost();
+  in_.frame().position = next_statement(start, reached);
+  note_broken_names(start, in_.frame().position);
 }
 
 // The first place behind `start`, not before `reached`, where a statement may begin: outside of all braces and blocks
 // of directives that are open since `start`.
-std::uint32_t Interpreter::next_statement(std::uint32_t start, std::uint32_t reached) const {
-  const std::vector<Token>& tokens = frames_.back().file->tokens;
+std::uint32_t Recovery::next_statement(std::uint32_t start, std::uint32_t reached) const {
+  const std::vector<Token>& tokens = in_.frame().file->tokens;
   int depth = 0;
   std::vector<int> depths;  // where the open blocks of directives began
-  for (std::uint32_t i = start; i < frames_.back().end; ++i) {
+  for (std::uint32_t i = start; i < in_.frame().end; ++i) {
     const Token& token = tokens[i];
     const bool outside = depth <= 0 && depths.empty();
     if (outside && i > start && i >= reached && may_begin_statement(i)) return i;
@@ -106,17 +107,17 @@ std::uint32_t Interpreter::next_statement(std::uint32_t start, std::uint32_t rea
       depth = depths.back();
     } else if (goes_on_with_block(word) && i < reached) {
       // A branch that was read to its end before the mistake: the others are none of the statement's text.
-      const std::uint32_t end = end_of_block(i);
+      const std::uint32_t end = end_of_block(*in_.frame().file, i);
       if (end != kNoLink) i = end + 1;
     } else if (word == Keyword::end && !depths.empty()) {
       depths.pop_back();
     }
   }
-  return frames_.back().end;
+  return in_.frame().end;
 }
 
-bool Interpreter::may_begin_statement(std::uint32_t index) const {
-  const std::vector<Token>& tokens = frames_.back().file->tokens;
+bool Recovery::may_begin_statement(std::uint32_t index) const {
+  const std::vector<Token>& tokens = in_.frame().file->tokens;
   const Token& token = tokens[index];
   if (token.is(Punctuation::hash)) return true;
   const Token& before = tokens[index - 1];
@@ -126,13 +127,13 @@ bool Interpreter::may_begin_statement(std::uint32_t index) const {
   // `word {`, but for the further layers of a texture that is declared.
   if (token.kind == TokenKind::keyword)
     return tokens[index + 1].is(Punctuation::left_brace) && !token.is(Keyword::texture);
-  const Scopes::Binding* binding = token.kind == TokenKind::identifier ? scopes_.find(token.symbol) : nullptr;
+  const Scopes::Binding* binding = token.kind == TokenKind::identifier ? in_.scopes().find(token.symbol) : nullptr;
   return binding != nullptr && std::holds_alternative<std::shared_ptr<const Macro>>(*binding->slot);
 }
 
 // What the text would have declared and did not.
-void Interpreter::note_broken_names(std::uint32_t begin, std::uint32_t end) {
-  const std::vector<Token>& tokens = frames_.back().file->tokens;
+void Recovery::note_broken_names(std::uint32_t begin, std::uint32_t end) {
+  const std::vector<Token>& tokens = in_.frame().file->tokens;
   for (std::uint32_t i = begin; i + 2 < end; ++i) {
     const Keyword word = tokens[i + 1].keyword;
     if (!tokens[i].is(Punctuation::hash)) continue;

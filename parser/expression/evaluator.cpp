@@ -25,7 +25,7 @@ bool Evaluator::evaluate(const Formula& formula, std::uint8_t terms, Numbers& re
   Formula::Shape shape = 0;
   std::size_t name = 0;
   for (const std::uint32_t symbol : formula.names()) {
-    const Scopes::Binding* const binding = scopes_.find(symbol);
+    const Scopes::Binding* const binding = scopes().find(symbol);
     const Numbers* const value = binding != nullptr ? std::get_if<Numbers>(binding->slot.get()) : nullptr;
     if (value == nullptr) return false;
     shape |= Formula::shape_of(*value, name);
@@ -65,7 +65,7 @@ const render::ObjectProbe& Evaluator::probe(const std::shared_ptr<const render::
 }
 
 bool Evaluator::file_exists(const std::string& name) const {
-  return files_.find_file(name, {}, *frames_.back().file->source).status == SourceFiles::Status::found;
+  return files().find_file(name, {}, *frame().file->source).status == SourceFiles::Status::found;
 }
 
 bool Evaluator::parse_defined() {
@@ -76,7 +76,7 @@ bool Evaluator::parse_defined() {
   if (name.kind != TokenKind::identifier && name.kind != TokenKind::keyword) {
     fail(name.location, "expected an identifier, found " + describe(name));
   }
-  const Scopes::Binding* binding = name.kind == TokenKind::identifier ? scopes_.find(name.symbol, reach) : nullptr;
+  const Scopes::Binding* binding = name.kind == TokenKind::identifier ? scopes().find(name.symbol, reach) : nullptr;
   bool result = binding != nullptr;
   if (result && picks_part(*binding->slot, raw_next())) {
     const Scopes::Slot slot = binding->slot;

@@ -32,7 +32,6 @@ class Evaluator : public TokenStream {
   int language_version() const { return language_.version(); }
   int effective_language_version() const { return language_.effective_version(); }
   RandomStreams& random() { return random_; }
-  const render::LoadOptions& options() const { return options_; }
 
   // --- formulas -----------------------------------------------------------------------------------------------------
   /// The formula for the expression that is next, or that stands behind `opening` if it is named; null when there is
@@ -55,10 +54,9 @@ class Evaluator : public TokenStream {
  protected:
   ~Evaluator() = default;
 
-  LanguageState language_;
-
  private:
   render::SceneBuilder& builder_;
+  LanguageState language_;
   RandomStreams random_;
   FormulaTable formulas_;
   std::vector<std::pair<std::shared_ptr<const render::Object>, render::ObjectProbe>> probes_;  // the latest last

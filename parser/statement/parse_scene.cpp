@@ -37,7 +37,7 @@ void parse_top_object(Reader& reader, SceneContext& context) {
     reader.fail_finally(at, "the scene has more than " + std::to_string(kMaxObjects) + " objects");
   }
   // Behind an error only further errors are looked for.
-  if (reader.interpreter().has_failed()) return;
+  if (reader.interpreter().recovery().has_failed()) return;
   context.builder.add(*object, context.default_texture);
 }
 
@@ -79,10 +79,10 @@ void parse_scene(Reader& reader, SceneContext& context) {
       more = !reader.peek().is_end();
       if (more) parse_statement(reader, context);
     } catch (const SyntaxError& error) {
-      interpreter.recover(error);
+      interpreter.recovery().recover(error);
     }
   }
-  if (interpreter.has_failed()) return;
+  if (interpreter.recovery().has_failed()) return;
   const Token& end = reader.peek();
   if (!context.builder.has_camera()) {
     reader.warn(end, "there is no camera in the scene; the default one is taken");

@@ -25,7 +25,7 @@ void parse_assumed_gamma(Reader& reader, const Token& word) {
     if (exponent < 1.0) reader.warn(at, fmt::format("'assumed_gamma' is {}; was {} meant?", exponent, 1.0 / exponent));
     gamma = exponent == 1.0 ? render::WorkingGamma::linear : render::WorkingGamma::power;
   }
-  if (!reader.interpreter().set_assumed_gamma(gamma, exponent)) {
+  if (!reader.interpreter().language().set_assumed_gamma(gamma, exponent)) {
     reader.warn(word, "'assumed_gamma' was given before; this one is ignored");
   }
 }

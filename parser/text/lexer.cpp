@@ -277,4 +277,11 @@ TokenFile tokenize(const SourceFile& source, Symbols& symbols) {
   return file;
 }
 
+std::uint32_t end_of_block(const TokenFile& file, std::uint32_t hash) {
+  do {
+    hash = file.tokens[hash].symbol;
+  } while (hash != kNoLink && !file.tokens[hash + 1].is(Keyword::end));
+  return hash;
+}
+
 }  // namespace firstlight::parser

@@ -39,6 +39,10 @@ struct TokenFile {
   std::size_t first = 0;  ///< how many tokens are in the files that were cut before it
 };
 
+/// The index of the `#` of the `#end` that closes the block which the `#` at `hash` begins or is a branch of; kNoLink
+/// when the file ends before it.
+std::uint32_t end_of_block(const TokenFile& file, std::uint32_t hash);
+
 /// Cuts a text into tokens, one at each call. Throws SyntaxError for what cannot be text of a scene.
 class Lexer {
  public:

@@ -47,9 +47,11 @@ class Scopes {
   /// The slot that `#declare` (`local` false) or `#local` writes to; made when there is none.
   /// The reference holds until the next name is bound.
   const Slot& target(std::uint32_t symbol, bool local) {
-    const std::vector<Binding>& stack = bindings(symbol);
-    const bool is_there = !stack.empty() && (!local || stack.back().scope == current());
-    return is_there ? stack.back().slot : new_target(symbol, local);
+    if (symbol < bindings_.size() && !bindings_[symbol].empty()) {
+      const Binding& binding = bindings_[symbol].back();
+      if (!local || binding.scope == current()) return binding.slot;
+    }
+    return new_target(symbol, local);
   }
   const Slot& target(std::uint32_t symbol, Reach reach);
   /// Binds the name in the current scope, over any other meaning.

@@ -10,7 +10,7 @@ namespace firstlight::parser {
 constexpr std::uint32_t kNoSymbol = 0xffffffff;
 
 /// A mistake in the scene text: the error first, then its notes. Thrown inside the folder and caught between the
-/// statements of a scene, where Interpreter::recover() tells of it and goes on. Reader::fail and its kin make it.
+/// statements of a scene, where Recovery::recover() tells of it and goes on. Reader::fail and its kin make it.
 struct SyntaxError {
   explicit SyntaxError(render::Diagnostics messages) : diagnostics(std::move(messages)) {}
   render::Diagnostics diagnostics;

@@ -35,6 +35,7 @@ void TokenStream::fail_nesting() {
 // --- tokens ---------------------------------------------------------------------------------------------------------
 
 void TokenStream::settle() {
+  if (pending_ && is_held()) return;
   unsettle();
   Frame& frame = frames_.back();
   if (frame.position < frame.end) {

@@ -37,7 +37,7 @@ class TokenStream {
 
   // --- tokens -------------------------------------------------------------------------------------------------------
   const Token& peek() {
-    if (!settled_ || (pending_ && !is_held())) settle();
+    if (!settled_ || pending_) settle();
     return *next_;
   }
   const Token& take() {
@@ -140,12 +140,15 @@ class TokenStream {
   std::string describe_next();
   /// "; did you mean 'sphere'?", or nothing when no reserved word and no declared name is like `word`.
   std::string suggestion(std::string_view word) const;
-  /// The next token begins a statement of the scene.
-  void begin_statement();
+  void report(const render::Diagnostic& message);
+  // What those are made of: a mistake, and notes of the macros and included files on the way to it.
+  SyntaxError error_at(const Location& at, std::string message);
+  void add_call_chain(render::Diagnostics& messages) const;
+  /// Just behind the token that was taken last.
+  Location behind_last_token() const;
+  render::Diagnostic diagnostic(const Location& at, render::Diagnostic::Severity severity, std::string message) const;
 
- protected:
-  ~TokenStream() = default;
-
+  // --- the text itself, for directives ------------------------------------------------------------------------------
   /// A token range that is being read. `macro` is null for a file.
   struct Frame {
     const TokenFile* file = nullptr;
@@ -154,44 +157,28 @@ class TokenStream {
     std::shared_ptr<const Macro> macro;
     Location call;  ///< of the macro's name, or of the #include
   };
-  /// What `#declare deprecated` says of a name.
-  struct Deprecation {
-    std::string message;
-    bool once = false;  ///< a warning at the first use is enough
-  };
-
-  /// Where the statement at top level begins that is being read.
-  struct StatementStart {
-    std::size_t frames = 0;
-    std::uint32_t position = 0;
-  };
-
-  /// Called now and then: whether to go on.
-  virtual void look_around() = 0;
-  /// At `#`: obey the directive. The frame's position is at the `#`.
-  virtual void run_directive() = 0;
-  /// At a macro's name, which has been passed.
-  virtual void call_macro(const Token& name, std::shared_ptr<const Macro> macro) = 0;
-  /// What a part of an array or a dictionary is picked for: to be read, to be written, or to see whether it is there.
-  enum class Pick { value, target, test };
-  /// The slot of the part that the subscripts and keys behind `name` pick.
-  virtual Scopes::Slot pick_part(const Scopes::Slot& container, const Token& name, Pick purpose) = 0;
-  /// `.Key` or `["Key"]`.
-  virtual std::string parse_key() = 0;
-
+  const std::vector<Frame>& frames() const { return frames_; }
+  Frame& frame() { return frames_.back(); }
+  const Frame& frame() const { return frames_.back(); }
+  void enter_frame(Frame frame);
+  void leave_frame();
+  /// Goes on behind the directive whose `#` is at `hash`, and its word.
+  void go_behind(std::uint32_t hash) { frames_.back().position = hash + 2; }
+  /// The next token as it stands in the text, directives and macros too; takes it.
+  const Token& raw_next() const { return frames_.back().file->tokens[frames_.back().position]; }
   const Token& take_raw();
   /// Takes the `local.` or `global.` that stands before a name, if any; of `local["Name"]` the word.
   Scopes::Reach take_reach();
   /// What stands behind that, mostly a name. One that a string gives is made a token.
   const Token& take_prefixed(Scopes::Reach reach);
-  void count(Keyword word) { ++keyword_counts_[static_cast<std::size_t>(word)]; }
-  const Token& raw_next() const { return frames_.back().file->tokens[frames_.back().position]; }
   /// Gives up the token that peek() has shown, if any, so that reading goes on before it.
   void unsettle() {
     if (settled_) frames_.back().position = next_index_;
     settled_ = false;
     pending_ = false;
   }
+  /// There is a turn of a loop or a call of a macro.
+  void note_replay() { replays_ = true; }
   /// Text ahead in a frame, from the next token on.
   struct Text {
     const TokenFile* file = nullptr;
@@ -217,28 +204,52 @@ class TokenStream {
   }
   /// Whether so many levels of expressions more would not be too many.
   bool may_nest(std::size_t levels) const { return nesting_ + levels < kDeepestExpression; }
+  /// Whether a directive or macro would be shown, not obeyed: see Hold.
   bool is_held() const { return hold_.held && blocks_.size() <= hold_.blocks; }
-  void enter_frame(Frame frame);
-  void leave_frame();
+  /// Where the statement at top level begins that is being read.
+  struct StatementStart {
+    std::size_t frames = 0;
+    std::uint32_t position = 0;
+  };
+  /// The next token begins a statement of the scene.
+  void begin_statement();
+  const StatementStart& statement() const { return statement_; }
+  /// Forgets the braces that are open.
   void drop_blocks() { blocks_.clear(); }
-  void report(const render::Diagnostic& message);
-  void add_call_chain(render::Diagnostics& messages) const;
-  SyntaxError error_at(const Location& at, std::string message);
-  /// Just behind the token that was taken last.
-  Location behind_last_token() const;
-  render::Diagnostic diagnostic(const Location& at, render::Diagnostic::Severity severity, std::string message) const;
 
-  const render::LoadOptions& options_;
-  render::Diagnostics& diagnostics_;
-  SourceFiles files_;
-  Symbols symbols_;
-  Scopes scopes_;
-  std::vector<Frame> frames_;
-  std::vector<Token> blocks_;  // owners of the open braces
-  StatementStart statement_;
-  std::map<std::pair<const Token*, std::uint32_t>, Token> named_by_strings_;  // by the `[` and the symbol
-  std::map<std::uint32_t, Deprecation> deprecated_;                           // by symbol
-  bool replays_ = false;  // there has been a turn of a loop or a call of a macro
+  // --- names --------------------------------------------------------------------------------------------------------
+  Scopes& scopes() { return scopes_; }
+  const Scopes& scopes() const { return scopes_; }
+  Symbols& symbols() { return symbols_; }
+  const Symbols& symbols() const { return symbols_; }
+  SourceFiles& files() { return files_; }
+  const SourceFiles& files() const { return files_; }
+  const render::LoadOptions& options() const { return options_; }
+  /// What a part of an array or a dictionary is picked for: to be read, to be written, or to see whether it is there.
+  enum class Pick { value, target, test };
+  /// What `#declare deprecated` says of a name.
+  struct Deprecation {
+    std::string message;
+    bool once = false;  ///< a warning at the first use is enough
+  };
+  /// From now on uses of that name are warned of.
+  void deprecate(std::uint32_t symbol, Deprecation deprecation) { deprecated_[symbol] = std::move(deprecation); }
+
+ protected:
+  ~TokenStream() = default;
+
+  /// Called now and then: whether to go on.
+  virtual void look_around() = 0;
+  /// At `#`: obey the directive. The frame's position is at the `#`.
+  virtual void run_directive() = 0;
+  /// At a macro's name, which has been passed.
+  virtual void call_macro(const Token& name, std::shared_ptr<const Macro> macro) = 0;
+  /// The slot of the part that the subscripts and keys behind `name` pick.
+  virtual Scopes::Slot pick_part(const Scopes::Slot& container, const Token& name, Pick purpose) = 0;
+  /// `.Key` or `["Key"]`.
+  virtual std::string parse_key() = 0;
+
+  void count(Keyword word) { ++keyword_counts_[static_cast<std::size_t>(word)]; }
 
  private:
   static constexpr std::uint64_t kTokensBetweenLooks = 1u << 12;
@@ -263,6 +274,17 @@ class TokenStream {
   bool settle_prefixed_name();
   bool settle_as(const Token& name, std::uint32_t index, const Scopes::Binding* binding, bool prefixed);
 
+  const render::LoadOptions& options_;
+  render::Diagnostics& diagnostics_;
+  SourceFiles files_;
+  Symbols symbols_;
+  Scopes scopes_;
+  std::vector<Frame> frames_;
+  std::vector<Token> blocks_;  // owners of the open braces
+  StatementStart statement_;
+  std::map<std::pair<const Token*, std::uint32_t>, Token> named_by_strings_;  // by the `[` and the symbol
+  std::map<std::uint32_t, Deprecation> deprecated_;                           // by symbol
+  bool replays_ = false;  // there has been a turn of a loop or a call of a macro
   // The token that peek() gives. `pending_`: it is a `#` or a macro's name, shown because of a Hold.
   const Token* next_ = nullptr;
   std::uint32_t next_index_ = 0;

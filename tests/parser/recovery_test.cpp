@@ -78,7 +78,7 @@ TEST(Recovery, StopsAfterTwentyMistakes) {
   std::size_t errors = 0;
   for (const auto& diagnostic : result.diagnostics)
     errors += diagnostic.severity == render::Diagnostic::Severity::error;
-  EXPECT_EQ(errors, Interpreter::kMostMistakes);
+  EXPECT_EQ(errors, Recovery::kMostMistakes);
   EXPECT_EQ(result.diagnostics.back().message, "reading stops here, after 20 errors");
   EXPECT_EQ(result.scene, nullptr);
 }
