@@ -53,10 +53,6 @@ std::vector<SweepSegment> segments_of(const Parameters& parameters) {
   return segments;
 }
 
-/// What of a segment is met. A crossing's face is kParts * segment + one of these.
-enum Part : std::uint32_t { kFirstBall, kLastBall, kFirstEnd, kLastEnd, kSide };
-constexpr std::uint32_t kParts = 5;
-
 /// A place where the ray goes through a surface that may lie within others.
 struct Passage {
   double depth;
@@ -67,6 +63,10 @@ struct Passage {
 
 struct SphereSweep {
   static constexpr bool kIsLarge = true;
+
+  /// What of a segment is met. A crossing's face is kPlaces * segment + one of these.
+  enum Place : std::uint32_t { kFirstBall, kLastBall, kFirstEnd, kLastEnd, kSide };
+  static constexpr std::uint32_t kPlaces = 5;
 
   std::vector<SweepSegment> segments;
   std::vector<Box3> boxes;
@@ -129,12 +129,12 @@ struct SphereSweep {
 
  private:
   Vec3 normal(const Vec3& point, std::uint32_t face, double u) const {
-    const SweepSegment& segment = segments[face / kParts];
+    const SweepSegment& segment = segments[face / kPlaces];
     const auto from = [&](const SweepBall& ball) {
       const Vec3 step = point - ball.center;
       return ball.radius < 0.0 ? -step : step;
     };
-    switch (face % kParts) {
+    switch (face % kPlaces) {
       case kFirstBall:
         return from(segment.ball(0.0));
       case kLastBall:
@@ -170,7 +170,7 @@ struct SphereSweep {
     const SweepSegment& segment = segments[index];
     const auto add = [&](double depth, std::uint32_t part, double u) {
       if (!(depth > -kMaxDistance && depth < kMaxDistance)) return;
-      const std::uint32_t face = kParts * index + part;
+      const std::uint32_t face = kPlaces * index + part;
       passages.push_back({depth, face, u, normal(ray.at(depth), face, u).dot(ray.direction) < 0.0});
     };
     const auto add_ball = [&](const SweepBall& ball, std::uint32_t part, double u) {
@@ -197,7 +197,7 @@ struct SphereSweep {
   }
   /// The flat circle at which the side of a segment ends, and its first or last ball goes on.
   template <class Add>
-  static void add_end(const Ray& ray, const SweepSegment& segment, double u, Part part, const Add& add) {
+  static void add_end(const Ray& ray, const SweepSegment& segment, double u, Place part, const Add& add) {
     const SweepBall ball = segment.ball(u);
     const SweepBall slope = segment.slope(u);
     const double approach = ray.direction.dot(slope.center);
