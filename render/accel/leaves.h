@@ -30,9 +30,12 @@ struct Leaves {
 
   explicit Leaves(const Scene& scene);
 
-  /// Of a leaf of one solid. Pre: neither a node nor spheres.
+  // Of a leaf of one solid: neither a node nor spheres.
   const LeafHead& head(ChildRef ref) const {
     return ref.kind() == ChildKind::box ? boxes[ref.index()].head : solids[ref.index()].head;
+  }
+  const FloatBox& bounds(ChildRef ref) const {
+    return ref.kind() == ChildKind::box ? boxes[ref.index()].bounds : solids[ref.index()].bounds;
   }
 
  private:

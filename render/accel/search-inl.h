@@ -9,11 +9,13 @@
 #endif
 
 #include "render/accel/box_test-inl.h"
+#include "render/accel/leaf_groups.h"
 #include "render/accel/leaf/box-inl.h"
 #include "render/accel/leaf/plane-inl.h"
 #include "render/accel/leaf/solid-inl.h"
 #include "render/accel/leaf/sphere-inl.h"
 #include "render/accel/leaves.h"
+#include "render/math/interrupt.h"
 
 #include <hwy/highway.h>
 
@@ -38,8 +40,23 @@ class BlockSearch {
   const FloatRays& float_rays() const { return float_rays_; }
   HWY_INLINE ExactRay exact(std::size_t i) const { return ExactRay(rays_, float_rays_.exact_inverse, i); }
   HWY_INLINE Ray ray(std::size_t i) const { return {rays_.origin.vector(i), rays_.direction.vector(i)}; }
+  /// Up to which depth crossings of each ray matter.
+  const Column<double>& limits() const { return limits_; }
+  double limit(std::size_t i) const { return limits_[i]; }
 
  protected:
+  /// Of the rays in `who` those from which nothing hides that has these bits.
+  std::uint64_t without_hidden(std::uint64_t who, std::uint8_t hidden_from) const {
+    if (hidden_from == 0) return who;
+    std::uint64_t seeing = 0;
+    for (std::uint64_t bits = who; bits != 0; bits &= bits - 1) {
+      const auto i = static_cast<std::size_t>(__builtin_ctzll(bits));
+      if ((hidden_from & rays_.hidden_bit[i]) == 0) seeing |= std::uint64_t{1} << i;
+    }
+    return seeing;
+  }
+
+  Column<double> limits_;
   const Leaves& leaves_;
   const RayBlock& rays_;
   FloatRays& float_rays_;
@@ -58,6 +75,7 @@ class ClosestSearch : public BlockSearch {
   HWY_INLINE void begin(std::size_t i, std::int64_t plane, double depth) {
     Hit& hit = hits_[i];
     runner_up_[i] = rays_.max_depth[i];
+    limit_at(i, depth);
     if (plane >= 0) {
       const PlaneLeaf& leaf = leaves_.planes[static_cast<std::size_t>(plane)];
       set(hit, depth, 0, {}, leaf.head);
@@ -68,8 +86,6 @@ class ClosestSearch : public BlockSearch {
     }
   }
 
-  /// Some beyond the nearest crossing, so that all are met which are in doubt.
-  double limit(std::size_t i) const { return hits_[i].depth * (1.0 + TieOrder::kDoubt); }
   /// Whether another solid than that of the nearest crossing was met as near. The same whatever was visited first.
   bool in_doubt(std::size_t i) const { return runner_up_[i] <= limit(i) && runner_up_[i] < rays_.max_depth[i]; }
 
@@ -82,7 +98,8 @@ class ClosestSearch : public BlockSearch {
   }
 
   static constexpr bool kAsksForOpaque = false;
-  bool sees(std::size_t i, const LeafHead& head) const { return (head.hidden_from & rays_.hidden_bit[i]) == 0; }
+  /// Of the rays in `who` those that see the leaf.
+  std::uint64_t seeing(std::uint64_t who, const LeafHead& head) const { return without_hidden(who, head.hidden_from); }
 
   /// Crossings of one solid are offered last first; the first of equals stays.
   HWY_INLINE void offer(std::size_t i, double depth, std::uint32_t face, const std::array<double, 2>& place,
@@ -95,6 +112,7 @@ class ClosestSearch : public BlockSearch {
     }
     if (head.solid != hit.solid) runner_up_[i] = hit.depth;
     set(hit, depth, face, place, head);
+    limit_at(i, depth);
     float_rays_.last[i] = FloatRays::above(depth);
   }
 
@@ -110,6 +128,9 @@ class ClosestSearch : public BlockSearch {
   }
 
  private:
+  /// Some beyond the nearest crossing, so that all are met which are in doubt.
+  HWY_INLINE void limit_at(std::size_t i, double depth) { limits_[i] = depth * (1.0 + TieOrder::kDoubt); }
+
   /// A crossing before the box counts too, but not before the ray has come to the box: it takes part as if it were
   /// there. [POV-Ray 3.7]
   void offer_cramped(std::size_t i, const std::vector<Crossing>& crossings, LeafHead head, double from) {
@@ -149,24 +170,25 @@ class ClosestSearch : public BlockSearch {
 /// Looks for any opaque crossing of each ray of a block.
 class BlockingSearch : public BlockSearch {
  public:
-  using BlockSearch::BlockSearch;
+  BlockingSearch(const Leaves& leaves, const RayBlock& rays, FloatRays& float_rays)
+      : BlockSearch(leaves, rays, float_rays) {
+    limits_ = rays.max_depth;
+  }
 
   static constexpr bool kAsksForOpaque = true;
-  bool sees(std::size_t i, const LeafHead& head) const {
-    return (blocked_ >> i & 1u) == 0 && head.opaque && (head.hidden_from & rays_.hidden_bit[i]) == 0;
+  /// Of the rays in `who` those that see the leaf and are not blocked.
+  std::uint64_t seeing(std::uint64_t who, const LeafHead& head) const {
+    return head.opaque ? without_hidden(who & ~blocked_, head.hidden_from) : 0;
   }
 
   /// Bits of the rays that met something.
   std::uint64_t blocked() const { return blocked_; }
-  /// A ray that is blocked looks no further.
-  double limit(std::size_t i) const {
-    return (blocked_ >> i & 1u) != 0 ? std::numeric_limits<double>::lowest() : rays_.max_depth[i];
-  }
 
   HWY_INLINE void offer(std::size_t i, double depth, std::uint32_t, const std::array<double, 2>&, const LeafHead&,
                         double from) {
     if (!(depth > rays_.min_depth[i] && depth < rays_.max_depth[i] && depth >= from)) return;
     blocked_ |= std::uint64_t{1} << i;
+    limits_[i] = std::numeric_limits<double>::lowest();  // it looks no further
     float_rays_.last[i] = std::numeric_limits<float>::lowest();
   }
   /// Of one solid.
@@ -181,21 +203,37 @@ class BlockingSearch : public BlockSearch {
   std::uint64_t blocked_ = 0;
 };
 
-/// What is no sphere.
+/// Rays meet what `ref` stands for together. Pre: neither a node nor spheres.
 template <class Search>
-HWY_NOINLINE void visit_other(const Leaves& leaves, std::size_t ray, ChildRef ref, Search& search) {
+HWY_NOINLINE void meet_together(const Leaves& leaves, std::uint64_t who, ChildRef ref, Search& search) {
   switch (ref.kind()) {
     case ChildKind::box:
-      return meet_leaf(leaves.boxes[ref.index()], ray, search);
+      return meet_leaf(leaves.boxes[ref.index()], who, search);
     default:
-      return meet_leaf(leaves.solids[ref.index()], ray, search);
+      return meet_leaf(leaves.solids[ref.index()], who, search);
   }
 }
 
-/// A ray meets what `ref` stands for. Pre: it is a leaf.
+/// All that wait meet their leaves.
 template <class Search>
-HWY_INLINE void visit(const Leaves& leaves, std::size_t ray, ChildRef ref, Search& search) {
-  if (ref.kind() != ChildKind::sphere) return visit_other(leaves, ray, ref, search);
+HWY_NOINLINE void meet_waiting(LeafGroups& waiting, Search& search) {
+  const Leaves& leaves = search.leaves();
+  waiting.sort([&](ChildRef ref, std::size_t ray) {
+    double near = 0.0;
+    search.exact(ray).meets(leaves.bounds(ref), near);
+    return near;
+  });
+  for (const ChildRef ref : waiting.leaves()) {
+    if (Interrupt::asked()) break;
+    meet_together(leaves, waiting.take(ref), ref, search);
+  }
+  waiting.clear();
+}
+
+/// A ray comes to what `ref` stands for: spheres are met at once, other leaves wait for more rays. Pre: it is a leaf.
+template <class Search>
+HWY_INLINE void visit(const Leaves& leaves, std::size_t ray, ChildRef ref, LeafGroups& waiting, Search& search) {
+  if (ref.kind() != ChildKind::sphere) return waiting.add(ref, ray);
   const std::size_t block = ref.index();
   meet_leaf(leaves.sphere_blocks[block], leaves.spheres.data() + block * kLanes, ray, search);
 }

@@ -30,6 +30,8 @@ struct Visits {
 constexpr std::size_t kTogether = 16;
 /// Between two questions whether to go on; a turn takes a microsecond or less, but for what solids need.
 constexpr unsigned kTurnsBetween = 256;
+/// At so many leaves rays do not wait for more rays any longer: what they meet there spares them other leaves.
+constexpr std::size_t kMostWaiting = 64;
 using LeafVisits = Visits<kTogether * kTreeWidth>;
 /// The pairs taken are opened from the bottom of the stack to its top, so that the nodes on it lie by their depth.
 /// Pairs of a depth come only when those of the depth above are taken, which lie below: there are never more of a depth
@@ -38,7 +40,7 @@ using NodeVisits = Visits<kRaysAtOnce + kTogether * kTreeWidth * kTreeDepth>;
 
 /// All rays that may meet something in the tree, through the tree together.
 template <class Search>
-HWY_INLINE void walk_together(const WideTree& tree, const FloatRays& rays, Search& search) {
+HWY_INLINE void walk_together(const WideTree& tree, const FloatRays& rays, LeafGroups& waiting, Search& search) {
   static_assert(static_cast<std::uint32_t>(ChildKind::node) == 0 && sizeof(ChildRef) == sizeof(std::uint32_t));
   const hn::CappedTag<float, kTreeWidth> d;
   const hn::RebindToUnsigned<decltype(d)> du;
@@ -76,13 +78,17 @@ HWY_INLINE void walk_together(const WideTree& tree, const FloatRays& rays, Searc
         leaf_count += hn::CountTrue(du, outer);
       }
     }
-    for (std::size_t l = 0; l < leaf_count; ++l) visit(search.leaves(), leaves.ray[l], ChildRef{leaves.ref[l]}, search);
+    for (std::size_t l = 0; l < leaf_count; ++l) {
+      visit(search.leaves(), leaves.ray[l], ChildRef{leaves.ref[l]}, waiting, search);
+    }
+    if (waiting.leaves().size() >= kMostWaiting) meet_waiting(waiting, search);
   }
 }
 
 /// For the rare rays that floats do not suit: one alone.
 template <class Search>
-HWY_NOINLINE void walk_exactly(const WideTree& tree, const ExactRay& ray, std::size_t i, Search& search) {
+HWY_NOINLINE void walk_exactly(const WideTree& tree, const ExactRay& ray, std::size_t i, LeafGroups& waiting,
+                               Search& search) {
   std::uint32_t stack[kTreeDepth * (kTreeWidth - 1) + kTreeWidth];
   std::size_t size = 0;
   stack[size++] = 0;
@@ -93,7 +99,7 @@ HWY_NOINLINE void walk_exactly(const WideTree& tree, const ExactRay& ray, std::s
       if (ref.kind() == ChildKind::node) {
         stack[size++] = ref.index();
       } else {
-        visit(search.leaves(), i, ref, search);
+        visit(search.leaves(), i, ref, waiting, search);
       }
     }
   }
@@ -104,18 +110,25 @@ template <class Search>
 HWY_INLINE void walk(const Leaves& leaves, const RayBlock& rays, FloatRays& float_rays, std::uint64_t done,
                      Search& search) {
   const std::uint64_t all = rays.all() & ~done;
+  LeafGroups& waiting = LeafGroups::of_thread();
+  waiting.make_room(std::max(leaves.solids.size(), leaves.boxes.size()));
   if (!leaves.tree.nodes().empty()) {
     float_rays.near &= all;
-    walk_together(leaves.tree, float_rays, search);
+    walk_together(leaves.tree, float_rays, waiting, search);
     for (std::uint64_t bits = all & ~float_rays.usable; bits != 0 && !Interrupt::asked(); bits &= bits - 1) {
       const auto i = static_cast<std::size_t>(__builtin_ctzll(bits));
-      walk_exactly(leaves.tree, ExactRay(rays, float_rays.exact_inverse, i), i, search);
+      walk_exactly(leaves.tree, ExactRay(rays, float_rays.exact_inverse, i), i, waiting, search);
     }
+    meet_waiting(waiting, search);
   }
   for (const ChildRef ref : leaves.beside) {
     if (Interrupt::asked()) return;
+    if (ref.kind() != ChildKind::sphere) {
+      meet_together(leaves, all, ref, search);
+      continue;
+    }
     for (std::uint64_t bits = all; bits != 0; bits &= bits - 1) {
-      visit(leaves, static_cast<std::size_t>(__builtin_ctzll(bits)), ref, search);
+      visit(leaves, static_cast<std::size_t>(__builtin_ctzll(bits)), ref, waiting, search);
     }
   }
 }
