@@ -26,7 +26,7 @@ void set_rare(LayerColumns& columns, std::size_t hit, std::size_t count, const S
   if (!columns.has_rare) {
     columns.has_rare = true;
     for (Column<double>* column : {&columns.diffuse_back, &columns.phong, &columns.phong_size, &columns.metallic,
-                                   &columns.crand, &columns.irid, &columns.film}) {
+                                   &columns.crand, &columns.crand_back, &columns.irid, &columns.film}) {
       std::fill_n(column->at.begin(), count, 0.0);
     }
     std::fill_n(columns.brilliance.at.begin(), count, 1.0);
@@ -36,7 +36,9 @@ void set_rare(LayerColumns& columns, std::size_t hit, std::size_t count, const S
   columns.phong[hit] = layer.phong;
   columns.phong_size[hit] = layer.phong_size;
   columns.metallic[hit] = layer.metallic;
-  columns.crand[hit] = layer.crand;
+  // Chance takes of what shines on a side that shines back at all, but nothing less where little of the layer is left.
+  columns.crand[hit] = layer.diffuse > 0.0 ? layer.crand : 0.0;
+  columns.crand_back[hit] = layer.diffuse_back > 0.0 ? layer.crand : 0.0;
   columns.irid[hit] = layer.irid;
 }
 
