@@ -36,7 +36,7 @@ Frame::Frame(const render::TraceContext& context, std::span<const Pass> passes, 
     : context_(context),
       surfaces_(render::make_surfaces(context.scene)),
       options_(options),
-      bound_(context.scene, context.camera()),
+      bound_(context.scene, context.camera(), *surfaces_),
       most_of_root_(bound_.at_stake(primary_task())),
       next_checkpoint_(options.checkpoint_rays),
       workers_(options.threads) {

@@ -58,7 +58,7 @@ void PigmentOwner::set_pigments(Reader& reader, const Token& word, std::shared_p
 
 /// Colours, or pigments. A list of single colours is the same whichever way it is written.
 void PigmentOwner::parse_list(Reader& reader, SceneContext& context, std::size_t count) {
-  render::ColorMap map = render::default_map(pigment_.pattern->kind);
+  render::ColorMap map = render::default_map(*pigment_.pattern);
   if (!reader.next_is(Keyword::pigment)) {
     for (auto entry = map.begin(); entry != map.end() && reader.at_expression(); ++entry) {
       entry->color = reader.color();

@@ -82,6 +82,9 @@ class Placed final : public Shape {
     const Vec3 n = transform_.normal(local().normal(transform_.inverse_point(point), crossing)).normalized();
     return inverted_ ? -n : n;
   }
+  void normals(const SurfacePlaces& places, std::size_t first, std::size_t end, Columns3<double>& out) const override {
+    for (std::size_t i = first; i < end; ++i) out.set(i, Placed::normal(places.point.vector(i), *places.crossing[i]));
+  }
   Vec2 uv(const Vec3& point, const Crossing& crossing) const override {
     if constexpr (requires { local().uv(point, crossing); }) {
       return local().uv(transform_.inverse_point(point), crossing);

@@ -24,6 +24,10 @@ bool Plane::inside(const Vec3& point) const { return point.dot(normal_) + offset
 
 Vec3 Plane::normal(const Vec3&, const Crossing&) const { return normal_; }
 
+void Plane::normals(const SurfacePlaces&, std::size_t first, std::size_t end, Columns3<double>& out) const {
+  for (std::size_t i = first; i < end; ++i) out.set(i, normal_);
+}
+
 Box3 Plane::bounds() const {
   Box3 box = boundless_box();
   const int axis = axis_of(normal_);

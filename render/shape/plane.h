@@ -26,6 +26,7 @@ class Plane final : public Shape {
   void crossings(const Ray& ray, std::vector<Crossing>& out) const override;
   bool inside(const Vec3& point) const override;
   Vec3 normal(const Vec3& point, const Crossing& crossing) const override;
+  void normals(const SurfacePlaces& places, std::size_t first, std::size_t end, Columns3<double>& out) const override;
   Box3 bounds() const override;
   Box3 inside_bounds() const override;
   Box3 outside_bounds() const override;

@@ -1,10 +1,12 @@
 #pragma once
 
 #include "render/math/bounds.h"
+#include "render/math/columns.h"
 #include "render/math/transform.h"
 #include "render/math/vec.h"
 
 #include <array>
+#include <cstddef>
 #include <cstdint>
 #include <memory>
 #include <vector>
@@ -20,6 +22,12 @@ struct Crossing {
   std::uint32_t part = 0;  ///< index into Scene::parts; set by the solid that owns the shape
   std::uint32_t face = 0;  ///< the shape's own note: which side, cap or triangle was met
   std::array<double, 2> place{};  ///< likewise: where on the face, a curve's parameter, say
+};
+
+/// Places on surfaces, side by side: crossings, and the points where they lie.
+struct SurfacePlaces {
+  Columns3<double> point;
+  std::array<const Crossing*, kRaysAtOnce> crossing;
 };
 
 /// A texture that a shape shows, and its share of how the shape looks at a point.
@@ -49,6 +57,10 @@ class Shape {
   virtual bool inside(const Vec3& point) const = 0;
   /// Unit outward normal at a crossing that this shape reported. Inverted shapes point inwards.
   virtual Vec3 normal(const Vec3& point, const Crossing& crossing) const = 0;
+  /// The same at the points `first` to `end`, at each of which its crossing was reported.
+  virtual void normals(const SurfacePlaces& places, std::size_t first, std::size_t end, Columns3<double>& out) const {
+    for (std::size_t i = first; i < end; ++i) out.set(i, normal(places.point.vector(i), *places.crossing[i]));
+  }
   /// Coordinates of the surface's own at a crossing, by which textures may go (uv_mapping). A shape that has none gives
   /// x and y of the point, as POV-Ray does.
   virtual Vec2 uv(const Vec3& point, const Crossing&) const { return Vec2(point.x, point.y); }

@@ -88,6 +88,14 @@ Vec3 Sphere::normal(const Vec3& point, const Crossing&) const {
   return inverted_ ? -n : n;
 }
 
+void Sphere::normals(const SurfacePlaces& places, std::size_t first, std::size_t end, Columns3<double>& out) const {
+  const double scale = inverted_ ? -(1.0 / radius_) : 1.0 / radius_;
+  for (unsigned axis = 0; axis < 3; ++axis) {
+    const double middle = center_[axis];
+    for (std::size_t i = first; i < end; ++i) out.of[axis][i] = (places.point.of[axis][i] - middle) * scale;
+  }
+}
+
 Vec2 Sphere::uv(const Vec3& point, const Crossing& crossing) const {
   return EllipsoidBase{center_, radius_, turned_}.uv(point, crossing);
 }

@@ -94,6 +94,9 @@ class SurfaceTable {
   bool goes_by_surface(std::uint32_t texture) const { return nodes_[roots_[texture]].by_surface; }
   /// Topmost first.
   std::span<const SurfaceLayer> layers(const Coat& coat) const { return {layers_.data() + coat.first, coat.count}; }
+  /// All that any texture is made of.
+  const std::deque<Coat>& coats() const { return coats_; }
+  std::span<const SurfaceLayer> all_layers() const { return layers_; }
   /// The layer's colour where its pigment is `pigment`.
   LayerColor color(const SurfaceLayer& layer, const FilteredColor& pigment) const;
 

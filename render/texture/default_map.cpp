@@ -26,8 +26,8 @@ const ColorMap kMarble = {at(0, 0.9f, 0.8f, 0.8f), at(0.9, 0.9f, 0.08f, 0.08f), 
 
 }  // namespace
 
-const ColorMap& default_map(PatternKind kind) {
-  switch (kind) {
+const ColorMap& default_map(const Patterning& pattern) {
+  switch (pattern.kind) {
     case PatternKind::agate:
       return kAgate;
     case PatternKind::bozo:
@@ -42,8 +42,10 @@ const ColorMap& default_map(PatternKind kind) {
       return kCubic;
     case PatternKind::hexagon:
       return kHexagon;
-    case PatternKind::mandel:
-      return kMandel;
+    case PatternKind::mandel: {
+      const auto* fractal = std::get_if<FractalParameters>(&pattern.parameters);
+      return fractal == nullptr || fractal->exponent == 2 ? kMandel : kGrey;
+    }
     case PatternKind::marble:
       return kMarble;
     case PatternKind::radial:

@@ -53,7 +53,7 @@ void make_plain(Pigment& pigment) {
 
 const ColorMap& map_of(const Pigment& pigment) {
   const PigmentPattern& pattern = pigment.pattern;
-  return pattern.map.empty() ? default_map(pattern.kind) : pattern.map;
+  return pattern.map.empty() ? default_map(pattern) : pattern.map;
 }
 
 bool lets_light_through(const Pigment& pigment) {

@@ -158,12 +158,12 @@ HWY_INLINE Vec film_tint(const HitBlock& block, const LayerColumns& layer, std::
 }
 
 /// What chance takes from the diffuse light of one light.
-HWY_INLINE V chance(const HitBlock& block, const LayerColumns& layer, std::size_t i, const Lit& lit) {
+HWY_INLINE V chance(const HitBlock& block, const LayerColumns& layer, std::size_t i, const Lit& lit, V most) {
   alignas(64) double taken[8] = {};
+  hn::Store(most, D(), taken);
   const auto number = static_cast<std::uint64_t>(&layer - block.layers.data());
   for (std::size_t k = 0; k < hn::Lanes(D()) && i + k < block.size; ++k) {
-    const double crand = layer.crand[i + k];
-    if (crand != 0.0) taken[k] = crand * hashed_number(block.point.vector(i + k), lit.light << 16 | number);
+    if (taken[k] != 0.0) taken[k] *= hashed_number(block.point.vector(i + k), lit.light << 16 | number);
   }
   return hn::Load(D(), taken);
 }
@@ -184,10 +184,16 @@ HWY_INLINE Vec term_of(const HitBlock& block, const LayerColumns& layer, std::si
   }
   const V amount = hn::IfThenElse(lit.behind, back, load(layer.diffuse, i));
   V intensity = hn::Mul(falloff, amount);
-  if (kHasRare && any(hn::And(lit.used, hn::Ne(load(layer.crand, i), zero)))) {
-    intensity = hn::Sub(intensity, chance(block, layer, i, lit));
+  Mask shone_on = hn::Ne(amount, zero);
+  if (kHasRare) {
+    const V crand = hn::IfThenElse(lit.behind, load(layer.crand_back, i), load(layer.crand, i));
+    const Mask drawn = hn::Ne(crand, zero);
+    if (any(hn::And(lit.used, drawn))) {
+      intensity = hn::Sub(intensity, chance(block, layer, i, lit, crand));
+      shone_on = hn::Or(shone_on, drawn);
+    }
   }
-  Vec term = only_where(hn::Ne(amount, zero), load(layer.color, i) * intensity);
+  Vec term = only_where(shone_on, load(layer.color, i) * intensity);
   if (lit.highlights) {
     // Which highlights there are is asked of the surfaces alone: whether they face the light cannot be foretold.
     const V shine = kHasRare ? load(layer.phong, i) : zero;

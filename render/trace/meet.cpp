@@ -26,7 +26,7 @@ void set_rare(LayerColumns& columns, std::size_t hit, std::size_t count, const S
   if (!columns.has_rare) {
     columns.has_rare = true;
     for (Column<double>* column : {&columns.diffuse_back, &columns.phong, &columns.phong_size, &columns.metallic,
-                                   &columns.crand, &columns.irid, &columns.film}) {
+                                   &columns.crand, &columns.crand_back, &columns.irid, &columns.film}) {
       std::fill_n(column->at.begin(), count, 0.0);
     }
     std::fill_n(columns.brilliance.at.begin(), count, 1.0);
@@ -36,7 +36,9 @@ void set_rare(LayerColumns& columns, std::size_t hit, std::size_t count, const S
   columns.phong[hit] = layer.phong;
   columns.phong_size[hit] = layer.phong_size;
   columns.metallic[hit] = layer.metallic;
-  columns.crand[hit] = layer.crand;
+  // Chance takes of what shines on a side that shines back at all, but nothing less where little of the layer is left.
+  columns.crand[hit] = layer.diffuse > 0.0 ? layer.crand : 0.0;
+  columns.crand_back[hit] = layer.diffuse_back > 0.0 ? layer.crand : 0.0;
   columns.irid[hit] = layer.irid;
 }
 
@@ -117,13 +119,30 @@ inline void Stepper::wear(std::size_t hit, std::uint32_t texture, double share) 
   }
 }
 
-void Stepper::meet(std::size_t number, const RayTask& task, const Rgb& weight, Contribution& sum) {
+void Stepper::find_normals(std::span<const std::uint8_t> rays) {
+  SurfacePlaces& places = *places_;
+  for (std::size_t k = 0; k < rays.size(); ++k) {
+    const std::size_t i = rays[k];
+    const Ray ray{rays_->origin.vector(i), rays_->direction.vector(i)};
+    places.point.set(k, ray.at(hits_[i].depth));
+    places.crossing[k] = &hits_[i];
+  }
+  for (std::size_t first = 0; first < rays.size();) {
+    const Shape* shape = places.crossing[first]->shape;
+    std::size_t end = first + 1;
+    while (end < rays.size() && places.crossing[end]->shape == shape) ++end;
+    shape->normals(places, first, end, normals_);
+    first = end;
+  }
+}
+
+void Stepper::meet(std::size_t place, std::size_t number, const RayTask& task, const Rgb& weight, Contribution& sum) {
   const Hit& hit = hits_[number];
   const Part& part = context_.scene.parts[hit.part];
-  const Ray ray{task.origin, rays_->direction.vector(number)};
-  const Vec3 point = ray.at(hit.depth);
-  Vec3 normal = hit.shape->normal(point, hit);
-  const bool from_inside = normal.dot(ray.direction) > 0.0;
+  const Vec3 point = places_->point.vector(place);
+  const Vec3 direction = rays_->direction.vector(number);
+  Vec3 normal = normals_.vector(place);
+  const bool from_inside = normal.dot(direction) > 0.0;
   if (from_inside) normal = -normal;
   if (part.texture == kNoIndex && !part.has_shape_textures && !(from_inside && part.interior_texture != kNoIndex))
     return;
@@ -132,7 +151,7 @@ void Stepper::meet(std::size_t number, const RayTask& task, const Rgb& weight, C
   HitBlock& block = *block_;
   const std::size_t i = block.size++;
   block.point.set(i, point);
-  block.direction.set(i, ray.direction);
+  block.direction.set(i, direction);
   block.normal.set(i, normal);
   block.lit_from[i] = part.double_illuminate ? -2.0 : kNegligible;
   block.lit_from_behind |= part.double_illuminate;

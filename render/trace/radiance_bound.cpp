@@ -21,10 +21,10 @@ constexpr double kUsualRow = 4.0;
 
 }  // namespace
 
-RadianceBound::RadianceBound(const Scene& scene) : RadianceBound(scene, scene.camera) {}
+RadianceBound::RadianceBound(const Scene& scene) : RadianceBound(scene, scene.camera, SurfaceTable(scene)) {}
 
-RadianceBound::RadianceBound(const Scene& scene, const Camera& camera) {
-  const SurfaceLimits limits(scene, ray_origins(camera));
+RadianceBound::RadianceBound(const Scene& scene, const Camera& camera, const SurfaceTable& surfaces) {
+  const SurfaceLimits limits(scene, surfaces, ray_origins(camera));
   known_ = limits.proven;
   const int levels = std::max(scene.settings.max_trace_level, 1);
   most_.assign(static_cast<std::size_t>(std::max(levels, 256)), 0.0f);

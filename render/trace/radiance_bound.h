@@ -11,6 +11,7 @@ namespace firstlight::render {
 
 struct Camera;
 struct Scene;
+class SurfaceTable;
 
 /// The most light that a ray can bring to its sample, all its descendants included: what the remaining error of a
 /// picture in progress is bounded by.
@@ -23,8 +24,8 @@ struct Scene;
 class RadianceBound {
  public:
   explicit RadianceBound(const Scene& scene);
-  /// Of the scene as another camera sees it.
-  RadianceBound(const Scene& scene, const Camera& camera);
+  /// Of the scene as any camera sees it. `surfaces`: of the scene.
+  RadianceBound(const Scene& scene, const Camera& camera, const SurfaceTable& surfaces);
 
   /// False where there is no bound, and at_stake() is an estimate: rows of surfaces that take no light away but add
   /// some, as clear glass without refraction does with its highlights, may be of any length; the estimate allows for

@@ -42,9 +42,10 @@ Stepper::Stepper(const TraceContext& context, std::shared_ptr<const SurfaceTable
     : context_(context),
       table_(std::move(surfaces)),
       veils_of_scene_(context.scene),
-      bound_(context.scene, context.camera()),
+      bound_(context.scene, context.camera(), *table_),
       shadow_(context, *table_, veils_of_scene_),
       rays_(std::make_unique<RayBlock>()),
+      places_(std::make_unique_for_overwrite<SurfacePlaces>()),
       asked_(std::make_unique_for_overwrite<SurfacePoints>()),
       block_(std::make_unique<HitBlock>()),
       feelers_(std::make_unique<FeelerBlock>()) {
@@ -134,15 +135,16 @@ void Stepper::step_radiance(std::span<const RayTask> tasks, std::span<const Ray>
   }
   see_surroundings(tasks, light);
   const bool is_veiled = !veils_of_scene_.empty();
-  const auto meet_all = [&](std::size_t first, std::size_t end) {
-    for (std::size_t k = first; k < end; ++k) {
-      const std::size_t i = order[k];
+  const auto meet_all = [&](std::span<const std::uint8_t> met) {
+    find_normals(met);
+    for (std::size_t k = 0; k < met.size(); ++k) {
+      const std::size_t i = met[k];
       const Rgb weight = is_veiled ? tasks[i].weight() * veils_[i].kept : tasks[i].weight();
-      meet(i, tasks[i], weight, light[i]);
+      meet(k, i, tasks[i], weight, light[i]);
     }
   };
-  meet_all(0, matt);
-  meet_all(glossy, tasks.size());
+  meet_all(std::span(order).first(matt));
+  meet_all(std::span(order).subspan(glossy, tasks.size() - glossy));
   if (!uneven_.empty()) meet_uneven();
   if (block_->size > 0) shade();
 }

@@ -112,8 +112,11 @@ class Stepper {
   /// The same of those whose bit is set in `open`, which meet nothing opaque.
   void ask_passing(std::span<const RayTask> tasks, std::uint64_t open);
 
-  /// Adds the hit of a ray of rays_ to block_ and surfaces_, unless it takes the light and gives none.
-  void meet(std::size_t ray, const RayTask& task, const Rgb& weight, Contribution& sum);
+  /// Sets places_ and normals_ to what these rays of rays_ meet; those that meet one shape after each other ask it once.
+  void find_normals(std::span<const std::uint8_t> rays);
+  /// Adds the hit of a ray of rays_, which has this place of places_, to block_ and surfaces_, unless it takes the light
+  /// and gives none.
+  void meet(std::size_t place, std::size_t ray, const RayTask& task, const Rgb& weight, Contribution& sum);
   /// One texture of a hit, and its share of how the hit looks.
   void wear(std::size_t hit, std::uint32_t texture, double share);
   /// Asks textures that differ from point to point, each for all of its hits.
@@ -186,6 +189,8 @@ class Stepper {
   std::unique_ptr<RayBlock> rays_;
   Column<std::int64_t> packed_directions_;
   std::array<Hit, kRaysAtOnce> hits_;
+  std::unique_ptr<SurfacePlaces> places_;
+  Columns3<double> normals_;  ///< of places_, as the shapes have them
   std::array<Veil, kRaysAtOnce> veils_;        ///< of each ray, where the scene has any
   std::array<Surface, kRaysAtOnce> surfaces_;  ///< block_->size of them
   std::vector<Mirror> mirrors_;

@@ -1,6 +1,6 @@
 #include "render/trace/surface_limits.h"
 
-#include "render/trace/pigment_limits.h"
+#include "render/surface/pigment_limits.h"
 #include "render/trace/start_medium.h"
 #include "render/trace/surroundings_limits.h"
 
@@ -35,7 +35,7 @@ bool may_turn_negative(const TextureLayer& layer, int language_version) {
 }
 
 /// Whether there may be negative light anywhere in the scene.
-bool may_be_negative(const Scene& scene) {
+bool may_be_negative(const Scene& scene, const SurfaceTable& surfaces) {
   const Settings& settings = scene.settings;
   return is_negative(settings.background) || is_negative(settings.ambient_light) ||
          surroundings_may_be_negative(scene) ||
@@ -45,10 +45,8 @@ bool may_be_negative(const Scene& scene) {
                                return interior.refraction_scale < 0.0 || is_negative(interior.fade_color) ||
                                       max_component(interior.fade_color) > 1.0f;
                              }) ||
-         std::ranges::any_of(scene.textures, [&](const PlacedTexture& placed) {
-           return std::ranges::any_of(placed.texture->layers, [&](const TextureLayer& layer) {
-             return may_turn_negative(layer, settings.language_version);
-           });
+         std::ranges::any_of(surfaces.all_layers(), [&](const SurfaceLayer& layer) {
+           return may_turn_negative(*layer.source, settings.language_version);
          });
 }
 
@@ -59,12 +57,13 @@ double largest_tint(double metallic, const Range& color) {
 
 class Maker {
  public:
-  Maker(const Scene& scene, const Box3& origins, SurfaceLimits& limits) : scene_(scene), limits_(limits) {
+  Maker(const Scene& scene, const SurfaceTable& surfaces, const Box3& origins, SurfaceLimits& limits)
+      : scene_(scene), surfaces_(surfaces), limits_(limits) {
     add_lights();
     look_at_matter(origins);
   }
 
-  void add(const Texture& texture);
+  void add(const Coat& coat);
 
  private:
   /// To be called for what a bound depends on.
@@ -75,7 +74,7 @@ class Maker {
     return condition ? 1.0 : kUsualExcess;
   }
   bool has_negative_light() {
-    if (!negative_light_) negative_light_ = may_be_negative(scene_);
+    if (!negative_light_) negative_light_ = may_be_negative(scene_, surfaces_);
     return *negative_light_;
   }
   void add_lights();
@@ -84,6 +83,7 @@ class Maker {
   double mirror_of(const Finish& finish, const PigmentLimits& pigment);
 
   const Scene& scene_;
+  const SurfaceTable& surfaces_;
   SurfaceLimits& limits_;
   Channels diffuse_lights_{};           ///< sum of all lights at their brightest
   Channels shining_lights_{};           ///< of those that give highlights
@@ -168,24 +168,20 @@ double Maker::mirror_of(const Finish& finish, const PigmentLimits& pigment) {
   return mirror;
 }
 
-void Maker::add(const Texture& texture) {
-  // What is between several textures is no more than the one that is most.
-  if (!texture.layers.empty() && texture.layers.front().extras->patterned) {
-    for (const MapEntry<TexturePtr>& entry : texture.layers.front().extras->patterned->textures->entries) {
-      add(*entry.value);
-    }
-    return;
-  }
+void Maker::add(const Coat& coat) {
   SurfaceAnswer answer;
   Channels own{};
   double passed = 1.0;
   double most_kept = 1.0;       // of what passes, the rest being mirrored
   double kept_at_mirror = 1.0;  // where it mirrors most
   bool only_takes = true;
-  for (const TextureLayer& layer : texture.layers) {
-    const PigmentLimits pigment(layer.pigment, scene_.settings.language_version);
-    need(pigment.is_known && !layer.pigment.pattern->pigments);  // colours between those of several pigments are not looked at
-    const Finish& finish = layer.finish;
+  bool is_opaque = false;
+  for (const SurfaceLayer& layer : surfaces_.layers(coat)) {
+    const Pigment& source = layer.source->pigment;
+    const PigmentLimits pigment(source, scene_.settings.language_version);
+    need(pigment.is_known && !source.pattern->pigments);  // colours between those of several pigments are not looked at
+    is_opaque = is_opaque || !lets_light_through(source);
+    const Finish& finish = layer.source->finish;
     for (std::size_t i = 0; i < 3; ++i) own[i] += passed * most_kept * lit(finish, pigment, i);
     const double mirror = mirror_of(finish, pigment);
     if (finish.reflection_exponent == 1.0) {
@@ -207,10 +203,10 @@ void Maker::add(const Texture& texture) {
     most_kept *= std::max(1.0, std::abs(1.0 - mirror));
     // Light that is both mirrored and passed on is largest at one end of what the mirror may be.
     kept_at_mirror *=
-        texture.layers.size() == 1 && positive ? std::abs(1.0 - mirror) : std::max(1.0, std::abs(1.0 - mirror));
+        coat.count == 1 && positive ? std::abs(1.0 - mirror) : std::max(1.0, std::abs(1.0 - mirror));
   }
   answer.own = largest(own);
-  need(only_takes || is_opaque(texture));  // a feeler may cross any number of surfaces
+  need(only_takes || is_opaque);  // a feeler may cross any number of surfaces
   if (passed * most_kept * (1.0 + PigmentLimits::kBlendError) <= scene_.settings.adc_bailout) {  // no ray is sent through
     limits_.answers.push_back(answer);
     return;
@@ -240,14 +236,12 @@ double SurfaceAnswer::from_this_side(double incoming) const {
   return light;
 }
 
-SurfaceLimits::SurfaceLimits(const Scene& scene, const Box3& origins) {
+SurfaceLimits::SurfaceLimits(const Scene& scene, const SurfaceTable& surfaces, const Box3& origins) {
   background = sky_limit(scene, proven);
   veil = veil_limits(scene, proven);
-  Maker maker(scene, origins, *this);
-  std::unordered_set<const Texture*> seen;  // one texture may stand in many places
-  for (const PlacedTexture& placed : scene.textures) {
-    if (seen.insert(placed.texture.get()).second) maker.add(*placed.texture);
-  }
+  Maker maker(scene, surfaces, origins, *this);
+  // What is between several coats is no more than the one that is most.
+  for (const Coat& coat : surfaces.coats()) maker.add(coat);
 }
 
 }  // namespace firstlight::render

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "render/scene/scene.h"
+#include "render/surface/surface_table.h"
 #include "render/trace/surroundings_limits.h"
 
 #include <vector>
@@ -35,8 +36,8 @@ struct SurfaceAnswer {
 ///
 /// Source   The formulas of shading (render/trace/shade.cpp), each term at its largest.
 struct SurfaceLimits {
-  /// `origins`: what holds the places where primary rays begin.
-  SurfaceLimits(const Scene& scene, const Box3& origins);
+  /// `surfaces`: of the scene. `origins`: what holds the places where primary rays begin.
+  SurfaceLimits(const Scene& scene, const SurfaceTable& surfaces, const Box3& origins);
 
   std::vector<SurfaceAnswer> answers;
   double background = 0.0;  ///< of rays that meet nothing, before veils

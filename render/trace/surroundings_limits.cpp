@@ -1,6 +1,6 @@
 #include "render/trace/surroundings_limits.h"
 
-#include "render/trace/pigment_limits.h"
+#include "render/surface/pigment_limits.h"
 
 #include <cmath>
 

@@ -1,4 +1,4 @@
-#include "render/trace/pigment_limits.h"
+#include "render/surface/pigment_limits.h"
 
 namespace firstlight::render {
 namespace {

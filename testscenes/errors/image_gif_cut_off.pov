@@ -1,0 +1,5 @@
+#version 3.7;
+global_settings { assumed_gamma 1 }
+camera { location -5*z look_at 0 }
+sphere { 0, 1 pigment { image_map { gif "parts/cut.gif" } } }
+// expect error 4:37: the file ends too early
