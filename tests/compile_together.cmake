@@ -1,8 +1,7 @@
 # compile_together(TARGET FILES...): has the compiler read the files in groups, so that what they include is read and
 # instantiated once a group. Files stay as free in their names as they are alone: two that declare the same name outside
 # of a class (most are in unnamed namespaces) go to different groups. Only a name of a header of the same namespace is
-# taken even where the header is not included; the compiler tells. Files with COMPILE_OPTIONS are compiled alone, and so
-# are those that include themselves, once for each instruction set.
+# taken even where the header is not included; the compiler tells. Files with COMPILE_OPTIONS are compiled alone.
 set(most_together 10)
 
 # The names that lines of `file` begin to declare: the last word before what cannot stand in a name or a type. Not
@@ -29,9 +28,8 @@ function(compile_together target)
   set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${ARGN})
   set(groups 0)
   foreach(file IN LISTS ARGN)
-    file(STRINGS "${file}" included_by_itself REGEX "hwy/foreach_target.h" LIMIT_COUNT 1)
-    if(included_by_itself)
-      set_source_files_properties("${file}" PROPERTIES SKIP_UNITY_BUILD_INCLUSION ON)
+    get_source_file_property(is_alone "${file}" SKIP_UNITY_BUILD_INCLUSION)
+    if(is_alone)
       continue()
     endif()
     names_declared("${file}" names)
