@@ -120,6 +120,7 @@ HWY_INLINE Lanes and_bits(const Lanes& a, std::int64_t mask) {
 HWY_INLINE Lanes or_bits(const Lanes& a, std::int64_t mask) {
   return hn::BitCast(LaneTag(), hn::Or(bits_of(a), hn::Set(LaneBits(), mask)));
 }
+HWY_INLINE Lanes xor_bits(const Lanes& a, const Lanes& b) { return hn::Xor(a.v, b.v); }
 template <int kBy>
 HWY_INLINE Lanes shift_bits_left(const Lanes& a) {
   return hn::BitCast(LaneTag(), hn::ShiftLeft<kBy>(bits_of(a)));

@@ -61,7 +61,6 @@ inline One select(OneMask which, One a, One b) { return which.holds ? a : b; }
 
 // The bits of doubles, for what is built on them.
 
-/// The 64 bits of the lanes as numbers, whose low half holds the whole numbers of `whole_bits`.
 inline void store_bits(One a, std::int64_t* to) { *to = std::bit_cast<std::int64_t>(a.v); }
 inline One add_to_bits(One a, std::int64_t amount) {
   return std::bit_cast<double>(std::bit_cast<std::int64_t>(a.v) + amount);
@@ -71,6 +70,9 @@ inline One add_bits(One a, One b) {
 }
 inline One and_bits(One a, std::int64_t mask) { return std::bit_cast<double>(std::bit_cast<std::int64_t>(a.v) & mask); }
 inline One or_bits(One a, std::int64_t mask) { return std::bit_cast<double>(std::bit_cast<std::int64_t>(a.v) | mask); }
+inline One xor_bits(One a, One b) {
+  return std::bit_cast<double>(std::bit_cast<std::int64_t>(a.v) ^ std::bit_cast<std::int64_t>(b.v));
+}
 template <int kBy>
 One shift_bits_left(One a) {
   return std::bit_cast<double>(std::bit_cast<std::uint64_t>(a.v) << kBy);

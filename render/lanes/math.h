@@ -1,0 +1,20 @@
+#pragma once
+
+namespace firstlight::render {
+
+// The elementary functions of math-inl.h for single numbers: what shapes a picture uses them instead of <cmath>, whose last
+// digits depend on the machine. Special cases are the same.
+
+double exponential(double x);
+double logarithm(double x);
+double power(double x, double y);
+double sine(double x);
+double cosine(double x);
+double tangent(double x);
+double arc_sine(double x);
+double arc_cosine(double x);
+double arc_tangent(double x);
+/// The angle of (x, y) from the x axis.
+double arc_tangent(double y, double x);
+
+}  // namespace firstlight::render
