@@ -214,6 +214,38 @@ HWY_INLINE void store3(const Vec3Of<L>& a, Columns& columns, std::size_t i) {
   store(a.z, columns.of[2], i);
 }
 
+/// columns[k] is table[first[i] + k] in lane i: four numbers of the table side by side for each lane.
+HWY_INLINE void load_rows(const double* table, const std::int32_t* first, Lanes (&columns)[4]) {
+#if HWY_TARGET == HWY_SCALAR
+  for (std::size_t k = 0; k < 4; ++k) columns[k] = Lanes(table[first[0] + static_cast<std::int32_t>(k)]);
+#elif HWY_MAX_BYTES == 16
+  const LaneTag d;
+  const auto a = hn::LoadU(d, table + first[0]), b = hn::LoadU(d, table + first[0] + 2);
+  const auto e = hn::LoadU(d, table + first[1]), f = hn::LoadU(d, table + first[1] + 2);
+  columns[0] = hn::InterleaveLower(d, a, e);
+  columns[1] = hn::InterleaveUpper(d, a, e);
+  columns[2] = hn::InterleaveLower(d, b, f);
+  columns[3] = hn::InterleaveUpper(d, b, f);
+#else
+  const LaneTag d;
+  LaneVector rows[4];
+  for (std::size_t k = 0; k < 4; ++k) {
+    if constexpr (Lanes::kCount == 4) {
+      rows[k] = hn::LoadU(d, table + first[k]);
+    } else {
+      const hn::Half<LaneTag> half;
+      rows[k] = hn::Combine(d, hn::LoadU(half, table + first[k + 4]), hn::LoadU(half, table + first[k]));
+    }
+  }
+  const auto low01 = hn::InterleaveLower(d, rows[0], rows[1]), high01 = hn::InterleaveUpper(d, rows[0], rows[1]);
+  const auto low23 = hn::InterleaveLower(d, rows[2], rows[3]), high23 = hn::InterleaveUpper(d, rows[2], rows[3]);
+  columns[0] = hn::OddEvenBlocks(hn::SwapAdjacentBlocks(low23), low01);
+  columns[1] = hn::OddEvenBlocks(hn::SwapAdjacentBlocks(high23), high01);
+  columns[2] = hn::OddEvenBlocks(low23, hn::SwapAdjacentBlocks(low01));
+  columns[3] = hn::OddEvenBlocks(high23, hn::SwapAdjacentBlocks(high01));
+#endif
+}
+
 /// Into [low, high]; what is no number stays so.
 template <class L>
 HWY_INLINE L clamp(const L& a, double low, double high) {

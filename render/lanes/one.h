@@ -59,6 +59,11 @@ struct One {
 
 inline One select(OneMask which, One a, One b) { return which.holds ? a : b; }
 
+/// columns[k] is table[*first + k].
+inline void load_rows(const double* table, const std::int32_t* first, One (&columns)[4]) {
+  for (std::size_t k = 0; k < 4; ++k) columns[k] = table[static_cast<std::size_t>(*first) + k];
+}
+
 // The bits of doubles, for what is built on them.
 
 inline void store_bits(One a, std::int64_t* to) { *to = std::bit_cast<std::int64_t>(a.v); }

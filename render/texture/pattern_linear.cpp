@@ -1,6 +1,5 @@
 // Patterns that grow in step with a coordinate.
 
-#include "render/math/noise.h"
 #include "render/texture/field.h"
 #include "render/texture/patterns.h"
 
@@ -17,17 +16,6 @@ PatternPtr pattern::make_gradient(const PatternRequest& request) {
   return make_field([unit = length > 0.0 ? axis / length : axis](const Vec3& point) {
     const double along = point.dot(unit);
     return along > 1.0 ? std::fmod(along, 1.0) : along;
-  });
-}
-
-/// The x coordinate itself, which turbulence moves by a sum of noise instead of moving the point.
-PatternPtr pattern::make_marble(const PatternRequest& request) {
-  if (!request.turbulence) {
-    return make_field([](const Vec3& point) { return point.x; });
-  }
-  return make_field([strength = request.turbulence->amount.x, octaves = octaves_of(*request.turbulence),
-                     generator = request.noise_generator](const Vec3& point) {
-    return point.x + strength * turbulence(point, octaves, generator);
   });
 }
 

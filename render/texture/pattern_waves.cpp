@@ -1,26 +1,103 @@
 // Rings about several points: ripples, and waves, whose rings are of different width.
 
 #include "render/math/noise.h"
+#include "render/texture/lane_field.h"
 #include "render/texture/patterns.h"
-#include "render/texture/wave.h"
+
+#undef HWY_TARGET_INCLUDE
+#define HWY_TARGET_INCLUDE "render/texture/pattern_waves.cpp"
+#include <hwy/foreach_target.h>
+
+#include "render/texture/lane_field-inl.h"
+#include "render/texture/wave-inl.h"
 
 #include <cstdint>
 #include <vector>
 
+#ifndef FIRSTLIGHT_RENDER_TEXTURE_PATTERN_WAVES
+#define FIRSTLIGHT_RENDER_TEXTURE_PATTERN_WAVES
 namespace firstlight::render {
 namespace {
 
-struct Source {
+struct RingSource {
   Vec3 place;
   double frequency = 1.0;
 };
 
+/// Frequency and phase say how far rings are apart; they then shape the value once more, as they do all values.
+struct Rings {
+  std::vector<RingSource> sources;
+  Wave wave;
+  bool differ;
+};
+
+}  // namespace
+}  // namespace firstlight::render
+#endif
+
+HWY_BEFORE_NAMESPACE();
+namespace firstlight::render {
+namespace HWY_NAMESPACE {
+
+template <class L>
+HWY_INLINE L length_but_0(const Vec3Of<L>& way) {
+  const L distance = length(way);
+  return select(distance == 0.0, L(1.0), distance);
+}
+/// How high the rings of a source stand so far from it.
+template <class L>
+HWY_INLINE L ring(const L& distance, const RingSource& source, const Wave& wave) {
+  const double frequency = static_cast<float>(wave.frequency), phase = static_cast<float>(wave.phase);
+  return sine_wave(distance * frequency * source.frequency + phase);
+}
+
+template <class L>
+HWY_INLINE L value(const Rings& rings, const Vec3Of<L>& p) {
+  L sum = 0.0;
+  for (const RingSource& source : rings.sources) {
+    sum = sum + ring(length_but_0(p - everywhere<L>(source.place)), source, rings.wave) / source.frequency;
+  }
+  const L mean = sum / static_cast<double>(rings.sources.size());
+  return rings.differ ? 0.2 * (2.5 + mean) : 0.5 * (1.0 + mean);
+}
+
+void ring_values(const Rings& rings, const Columns3<double>& at, std::size_t count, Column<double>& values) {
+  values_at(rings, at, count, values);
+}
+
+void ring_tilts(const Rings& rings, const Tilting& tilting, const Columns3<double>& at, std::size_t count,
+                Columns3<double>& normals) {
+  const auto sources = static_cast<double>(rings.sources.size());
+  for (std::size_t i = 0; i < count; i += Lanes::kCount) {
+    const Vec3Of<Lanes> p = load3<Lanes>(at, i);
+    Vec3Of<Lanes> normal = load3<Lanes>(normals, i);
+    for (const RingSource& source : rings.sources) {
+      const Vec3Of<Lanes> way = p - everywhere<Lanes>(source.place);
+      const Lanes distance = length_but_0(way);
+      const Lanes height = ring(distance, source, tilting.wave) * tilting.amount / source.frequency;
+      normal = normal + way * (height / (distance * sources));
+    }
+    store3(normal, normals, i);
+  }
+}
+
+}  // namespace HWY_NAMESPACE
+}  // namespace firstlight::render
+HWY_AFTER_NAMESPACE();
+
+#if HWY_ONCE
+namespace firstlight::render {
+namespace {
+
+HWY_EXPORT(ring_values);
+HWY_EXPORT(ring_tilts);
+
 /// At random places on the unit sphere; of waves, with random frequencies. The numbers are POV-Ray 3.7's.
-std::vector<Source> sources(int count, bool differ) {
-  std::vector<Source> result;
+std::vector<RingSource> ring_sources(int count, bool differ) {
+  std::vector<RingSource> result;
   std::uint32_t random = static_cast<std::uint32_t>(-560851967);
   for (int i = 0; i < count; ++i) {
-    Source source;
+    RingSource source;
     source.place = dnoise(Vec3(i, 0.0, 0.0)).normalized();
     random = random * 1812433253u + 12345u;
     if (differ) source.frequency = static_cast<double>(random >> 16 & 0x7fffu) * 0.000030518509476 + 0.01;
@@ -29,56 +106,20 @@ std::vector<Source> sources(int count, bool differ) {
   return result;
 }
 
-/// Frequency and phase say how far rings are apart; they then shape the value once more, as they do all values.
-class Rings final : public Pattern {
- public:
-  Rings(const PatternRequest& request, bool differ)
-      : sources_(sources(request.world.number_of_waves, differ)), wave_(request.wave), differ_(differ) {}
-
-  void values(const Columns3<double>& at, const SurfacePoints& points, Column<double>& values) const override {
-    for (std::size_t i = 0; i < points.size; ++i) {
-      double sum = 0.0;
-      for (const Source& source : sources_) {
-        sum += sine_wave(phase(distance(at.vector(i) - source.place), source, wave_)) / source.frequency;
-      }
-      const double mean = sum / static_cast<double>(sources_.size());
-      values[i] = differ_ ? 0.2 * (2.5 + mean) : 0.5 * (1.0 + mean);
-    }
-  }
-  bool has_tilt() const override { return true; }
-  void tilt(const Tilting& tilting, const Columns3<double>& at, const SurfacePoints& points,
-            Columns3<double>& normals) const override {
-    const auto count = static_cast<double>(sources_.size());
-    for (std::size_t i = 0; i < points.size; ++i) {
-      Vec3 normal = normals.vector(i);
-      for (const Source& source : sources_) {
-        const Vec3 way = at.vector(i) - source.place;
-        const double length = distance(way);
-        const double height = sine_wave(phase(length, source, tilting.wave)) * tilting.amount / source.frequency;
-        normal += way * (height / (length * count));
-      }
-      normals.set(i, normal);
-    }
-  }
-
- private:
-  static double distance(const Vec3& way) {
-    const double length = way.length();
-    return length == 0.0 ? 1.0 : length;
-  }
-  static double phase(double distance, const Source& source, const Wave& wave) {
-    const double frequency = static_cast<float>(wave.frequency);
-    return distance * frequency * source.frequency + static_cast<double>(static_cast<float>(wave.phase));
-  }
-
-  std::vector<Source> sources_;
-  Wave wave_;
-  bool differ_;
-};
+PatternPtr make_rings(const PatternRequest& request, bool differ) {
+  return make_lane_field(
+      Rings{ring_sources(request.world.number_of_waves, differ), request.wave, differ},
+      [](const Rings& rings, const Columns3<double>& at, std::size_t count, Column<double>& values) {
+        HWY_DYNAMIC_DISPATCH(ring_values)(rings, at, count, values);
+      },
+      [](const Rings& rings, const Tilting& tilting, const Columns3<double>& at, std::size_t count,
+         Columns3<double>& normals) { HWY_DYNAMIC_DISPATCH(ring_tilts)(rings, tilting, at, count, normals); });
+}
 
 }  // namespace
 
-PatternPtr pattern::make_ripples(const PatternRequest& request) { return std::make_shared<Rings>(request, false); }
-PatternPtr pattern::make_waves(const PatternRequest& request) { return std::make_shared<Rings>(request, true); }
+PatternPtr pattern::make_ripples(const PatternRequest& request) { return make_rings(request, false); }
+PatternPtr pattern::make_waves(const PatternRequest& request) { return make_rings(request, true); }
 
 }  // namespace firstlight::render
+#endif

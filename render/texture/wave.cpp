@@ -1,51 +1,37 @@
 #include "render/texture/wave.h"
 
-#include <cmath>
-#include <numbers>
+#undef HWY_TARGET_INCLUDE
+#define HWY_TARGET_INCLUDE "render/texture/wave.cpp"
+#include <hwy/foreach_target.h>
 
+#include "render/texture/wave-inl.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace firstlight::render {
+namespace HWY_NAMESPACE {
+
+void shape_block(const Wave& wave, std::size_t count, Column<double>& values) {
+  for (std::size_t i = 0; i < count; i += Lanes::kCount) store(shaped(wave, load<Lanes>(values, i)), values, i);
+}
+
+}  // namespace HWY_NAMESPACE
+}  // namespace firstlight::render
+HWY_AFTER_NAMESPACE();
+
+#if HWY_ONCE
 namespace firstlight::render {
 namespace {
 
-/// One period of the phase. A little above 1, so that the value 1 of a pattern is not folded to 0. [POV-Ray 3.7]
-constexpr double kPeriod = 1.00001;
-
-double fraction(double value) { return value - std::floor(value); }
-
-/// POV-Ray keeps the numbers of waves in single precision, and computes with them in double.
-double stored(double number) { return static_cast<float>(number); }
+HWY_EXPORT(shape_block);
 
 }  // namespace
 
-double sine_wave(double value) { return std::sin(2.0 * std::numbers::pi * fraction(value)); }
-
-double triangle_wave(double value) {
-  const double along = fraction(value);
-  return along >= 0.5 ? 2.0 * (1.0 - along) : 2.0 * along;
-}
-
-double shaped(const Wave& wave, double value) {
-  const double frequency = stored(wave.frequency);
-  if (frequency != 0.0) value = std::fmod(value * frequency + stored(wave.phase), kPeriod);
-  if (value < 0.0) value -= std::floor(value);
-  switch (wave.form) {
-    case WaveForm::ramp:
-      return value;
-    case WaveForm::triangle:
-      return triangle_wave(value);
-    case WaveForm::sine:
-      return 0.5 * (1.0 + sine_wave(value));
-    case WaveForm::scallop:
-      return std::abs(sine_wave(0.5 * value));
-    case WaveForm::cubic:
-      return value * value * (3.0 - 2.0 * value);
-    case WaveForm::poly:
-      return std::pow(value, stored(wave.exponent));
-  }
-  return value;
-}
-
 void shape_all(const Wave& wave, std::size_t count, Column<double>& values) {
-  for (std::size_t i = 0; i < count; ++i) values[i] = shaped(wave, values[i]);
+  // POV-Ray keeps the numbers of waves in single precision, and computes with them in double.
+  const auto stored = [](double number) { return static_cast<double>(static_cast<float>(number)); };
+  const Wave kept{wave.form, stored(wave.exponent), stored(wave.frequency), stored(wave.phase)};
+  HWY_DYNAMIC_DISPATCH(shape_block)(kept, count, values);
 }
 
 }  // namespace firstlight::render
+#endif

@@ -16,14 +16,7 @@ struct Wave {
   double phase = 0.0;
 };
 
-/// The place in the map for a bare value.
-double shaped(const Wave& wave, double value);
-/// The same in place for `count` values.
+/// Makes places in the map of `count` bare values.
 void shape_all(const Wave& wave, std::size_t count, Column<double>& values);
-
-/// sin(2 pi value).
-double sine_wave(double value);
-/// Up from 0 to 1 and down again within a period of 1.
-double triangle_wave(double value);
 
 }  // namespace firstlight::render

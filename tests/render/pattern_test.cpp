@@ -23,8 +23,10 @@ void expect_values(PatternKind kind, const PatternParameters& parameters, const 
   wave.frequency = 0.0;
   ASSERT_TRUE(pattern.is_made()) << spelling(kind);
   for (std::size_t i = 0; i < kPoints.size(); ++i) {
-    const double value = shaped(wave, pattern.value({kPoints[i][0], kPoints[i][1], kPoints[i][2]}));
-    EXPECT_NEAR(value, expected[i], 1e-9 * std::max(1.0, std::abs(expected[i]))) << spelling(kind) << " at point " << i;
+    Column<double> value;
+    value[0] = pattern.value({kPoints[i][0], kPoints[i][1], kPoints[i][2]});
+    shape_all(wave, 1, value);
+    EXPECT_NEAR(value[0], expected[i], 1e-9 * std::max(1.0, std::abs(expected[i]))) << spelling(kind) << " at point " << i;
   }
 }
 

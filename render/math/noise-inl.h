@@ -1,0 +1,246 @@
+// Noise over a lane type; render/math/noise.h says what it is. Included once for each instruction set, so the guard
+// switches back and forth.
+//
+// What is looked up is looked up lane by lane: that is no slower than a vector's own gathering. Rows of four coefficients
+// are loaded for each lane, and turned into columns.
+#if defined(FIRSTLIGHT_RENDER_MATH_NOISE_INL_H) == defined(HWY_TARGET_TOGGLE)
+#ifdef FIRSTLIGHT_RENDER_MATH_NOISE_INL_H
+#undef FIRSTLIGHT_RENDER_MATH_NOISE_INL_H
+#else
+#define FIRSTLIGHT_RENDER_MATH_NOISE_INL_H
+#endif
+
+#include "render/lanes/lanes-inl.h"
+#include "render/math/noise.h"
+#include "render/math/noise_tables.h"
+
+#include <cstddef>
+#include <cstdint>
+
+HWY_BEFORE_NAMESPACE();
+namespace firstlight::render {
+namespace HWY_NAMESPACE {
+
+/// Added to a whole number below 2^51 in size, it leaves that in the low bits of the sum.
+constexpr double kToBits = 6755399441055744.0;  // 1.5 * 2^52
+
+/// As POV-Ray's processors cut numbers: what does not fit becomes the lowest integer.
+template <class L>
+HWY_INLINE L cut(const L& value) {
+  const MaskOf<L> fits = (value > -2147483649.0) & (value < 2147483648.0);
+  return select(fits, trunc(value), L(-2147483648.0));
+}
+
+/// a^2 (3 - 2a): from 0 to 1, level at both ends.
+template <class L>
+HWY_INLINE L s_curve(const L& a) {
+  return a * a * (3.0 - 2.0 * a);
+}
+
+/// A place in a lattice along one axis.
+template <class L>
+struct LatticeStep {
+  unsigned point[L::kCount];  ///< the number of the point below
+  L from;                     ///< the way from it, 0 to 1
+};
+
+/// point[i] is number `whole` + `origin` of a table of 2^n that begins anew at its end.
+template <class L>
+HWY_INLINE void number_points(const L& whole, unsigned origin, unsigned size, unsigned (&point)[L::kCount]) {
+  std::int64_t numbers[L::kCount];
+  store_bits(whole + kToBits, numbers);
+  for (std::size_t i = 0; i < L::kCount; ++i) point[i] = (static_cast<unsigned>(numbers[i]) + origin) & (size - 1);
+}
+
+template <class L>
+HWY_INLINE void step(const L& x, LatticeStep<L>& to) {
+  constexpr double kAlmostOne = 1.0 - 1e-10;
+  const L whole = cut(select(x >= 0.0, x, x - kAlmostOne));
+  number_points(whole, 10000, LatticeTables::kPoints, to.point);
+  to.from = x - whole;
+}
+
+/// The corners of the lattice's cells about points.
+template <class L>
+struct LatticeCell {
+  std::int32_t entry[8][L::kCount];  ///< where the coefficients of the corners begin
+  L weight[8];                       ///< of each of them
+  L way_x[2], way_y[2], way_z[2];    ///< from corners on either side
+};
+
+template <class L>
+HWY_INLINE void enter_cell(const Vec3Of<L>& p, LatticeCell<L>& cell) {
+  const LatticeTables& tables = LatticeTables::get();
+  LatticeStep<L> x, y, z;
+  step(p.x, x);
+  step(p.y, y);
+  step(p.z, z);
+  for (std::size_t i = 0; i < L::kCount; ++i) {
+    const unsigned left = tables.permutation[x.point[i]], right = tables.permutation[x.point[i] + 1];
+    const unsigned row = y.point[i], layer = z.point[i];
+    const unsigned column[4] = {tables.permutation[left ^ row], tables.permutation[right ^ row],
+                                tables.permutation[left ^ (row + 1)], tables.permutation[right ^ (row + 1)]};
+    for (unsigned k = 0; k < 4; ++k) {
+      cell.entry[k][i] = tables.entry[column[k] ^ layer];
+      cell.entry[k + 4][i] = tables.entry[column[k] ^ (layer + 1)];
+    }
+  }
+  const L to_x = s_curve(x.from), to_y = s_curve(y.from), to_z = s_curve(z.from);
+  const L weight_xy[4] = {(1.0 - to_x) * (1.0 - to_y), to_x * (1.0 - to_y), (1.0 - to_x) * to_y, to_x * to_y};
+  for (std::size_t k = 0; k < 4; ++k) {
+    cell.weight[k] = weight_xy[k] * (1.0 - to_z);
+    cell.weight[k + 4] = weight_xy[k] * to_z;
+  }
+  cell.way_x[0] = x.from;
+  cell.way_y[0] = y.from;
+  cell.way_z[0] = z.from;
+  cell.way_x[1] = x.from - 1.0;
+  cell.way_y[1] = y.from - 1.0;
+  cell.way_z[1] = z.from - 1.0;
+}
+
+/// What corner k brings to a sum: a linear function of the way from it, its first coefficient halved, times its weight.
+template <class L>
+HWY_INLINE L corner_share(const LatticeCell<L>& cell, std::size_t k, const double* coefficients) {
+  L c[4];
+  load_rows(coefficients, cell.entry[k], c);
+  return cell.weight[k] *
+         (c[0] * 0.5 + c[1] * cell.way_x[k & 1] + c[2] * cell.way_y[k >> 1 & 1] + c[3] * cell.way_z[k >> 2]);
+}
+
+template <class L>
+HWY_INLINE L lattice_noise(const Vec3Of<L>& p) {
+  LatticeCell<L> cell;
+  enter_cell(p, cell);
+  const double* coefficients = LatticeTables::get().coefficients.data();
+  L sum = 0.0;
+  for (std::size_t k = 0; k < 8; ++k) sum = sum + corner_share(cell, k, coefficients);
+  return sum;
+}
+
+/// A place between two entries of the gradients along one axis.
+template <class L>
+HWY_INLINE void gradient_step(const L& x, LatticeStep<L>& to) {
+  constexpr double kFarFromZero = 10000000.023157213;  // keeps scenes away from the table's symmetry about 0
+  const L shifted = x + kFarFromZero;
+  const L whole = cut(floor(shifted));
+  number_points(whole, 0, GradientTables::kSize, to.point);
+  to.from = shifted - whole;
+}
+
+template <class L>
+HWY_INLINE L blend(const L& t, const L& a, const L& b) {
+  return a + t * (b - a);
+}
+
+template <class L>
+HWY_INLINE L gradient_noise(const Vec3Of<L>& p) {
+  const GradientTables& tables = GradientTables::get();
+  LatticeStep<L> x, y, z;
+  gradient_step(p.x, x);
+  gradient_step(p.y, y);
+  gradient_step(p.z, z);
+  std::int32_t entry[8][L::kCount];
+  for (std::size_t i = 0; i < L::kCount; ++i) {
+    constexpr unsigned kWithin = GradientTables::kSize - 1;
+    const unsigned columns[2] = {tables.permutation[x.point[i]], tables.permutation[(x.point[i] + 1) & kWithin]};
+    const unsigned rows[2] = {y.point[i], (y.point[i] + 1) & kWithin};
+    const unsigned layers[2] = {z.point[i], (z.point[i] + 1) & kWithin};
+    for (unsigned k = 0; k < 8; ++k) {
+      const unsigned gradient = tables.permutation[columns[k & 1] + rows[k >> 1 & 1]] + layers[k >> 2];
+      entry[k][i] = static_cast<std::int32_t>(4 * gradient);
+    }
+  }
+  const L way_x[2] = {x.from, x.from - 1.0}, way_y[2] = {y.from, y.from - 1.0}, way_z[2] = {z.from, z.from - 1.0};
+  const L to_x = s_curve(x.from), to_y = s_curve(y.from), to_z = s_curve(z.from);
+  L edge[4];
+  for (std::size_t k = 0; k < 4; ++k) {
+    L end[2];
+    for (std::size_t side = 0; side < 2; ++side) {
+      L g[4];
+      load_rows(tables.gradients.front().data(), entry[2 * k + side], g);
+      end[side] = way_x[side] * g[0] + way_y[k & 1] * g[1] + way_z[k >> 1] * g[2];
+    }
+    edge[k] = blend(to_x, end[0], end[1]);
+  }
+  return blend(to_z, blend(to_y, edge[0], edge[1]), blend(to_y, edge[2], edge[3]));
+}
+
+// Vectors are handed over in memory where functions are not inlined.
+template <class L>
+HWY_NOINLINE void lattice_noise_of(const Vec3Of<L>& p, L& value) {
+  value = lattice_noise(p);
+}
+template <class L>
+HWY_NOINLINE void gradient_noise_of(const Vec3Of<L>& p, L& value) {
+  value = gradient_noise(p);
+}
+
+template <class L>
+HWY_INLINE L noise(const Vec3Of<L>& p, int generator) {
+  L value;
+  if (generator == 3) {
+    gradient_noise_of(p, value);
+    value = 0.5 * (1.59 * value + 0.985);
+  } else {
+    lattice_noise_of(p, value);
+    // The sum lies between -1.05242 and 0.988997. [POV-Ray 3.7]
+    value = generator == 2 ? (value + 1.05242) * 0.48985582 : value + 0.5;
+  }
+  return clamp(value, 0.0, 1.0);
+}
+
+/// Sums depend on their order in the last digit, and POV-Ray goes about the corners in another order than for noise.
+template <class L>
+HWY_NOINLINE void dnoise_of(const Vec3Of<L>& p, Vec3Of<L>& value) {
+  constexpr std::size_t kRound[8] = {0, 1, 3, 2, 6, 7, 5, 4};
+  LatticeCell<L> cell;
+  enter_cell(p, cell);
+  const double* coefficients = LatticeTables::get().coefficients.data();
+  Vec3Of<L> sum = {L(0.0), L(0.0), L(0.0)};
+  for (const std::size_t k : kRound) {
+    sum.x = sum.x + corner_share(cell, k, coefficients);
+    sum.y = sum.y + corner_share(cell, k, coefficients + 4);
+    sum.z = sum.z + corner_share(cell, k, coefficients + 8);
+  }
+  value = sum;
+}
+template <class L>
+HWY_INLINE Vec3Of<L> dnoise(const Vec3Of<L>& p) {
+  Vec3Of<L> value;
+  dnoise_of(p, value);
+  return value;
+}
+
+template <class L>
+HWY_INLINE L turbulence(const Vec3Of<L>& p, const Octaves& octaves, int generator) {
+  // The newer generators are spread to the range of the original.
+  double size = 1.0, strength = 1.0;
+  L sum = 0.0;
+  for (int octave = 1; octave == 1 || octave <= octaves.count; ++octave) {
+    L value = noise(p * L(size), generator);
+    if (generator > 1) value = 2.0 * value - 0.5;
+    sum = octave == 1 ? clamp(value, 0.0, 1.0) : sum + strength * value;
+    size *= octaves.lambda;
+    strength *= octaves.omega;
+  }
+  return sum;
+}
+
+template <class L>
+HWY_INLINE Vec3Of<L> dturbulence(const Vec3Of<L>& p, const Octaves& octaves) {
+  double size = octaves.lambda, strength = octaves.omega;
+  Vec3Of<L> sum = dnoise(p);
+  for (int octave = 2; octave <= octaves.count; ++octave) {
+    sum = sum + dnoise(p * L(size)) * L(strength);
+    size *= octaves.lambda;
+    strength *= octaves.omega;
+  }
+  return sum;
+}
+
+}  // namespace HWY_NAMESPACE
+}  // namespace firstlight::render
+HWY_AFTER_NAMESPACE();
+
+#endif
