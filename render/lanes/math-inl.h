@@ -119,8 +119,8 @@ HWY_INLINE Parts<L> parts_of(const L& x) {
 /// (artanh(s) / s - 1) / t for t = s^2, as far as parts_of() goes.
 template <class L>
 HWY_INLINE L artanh_series(const L& t) {
-  static constexpr double kSeries[] = {0.33333333333333331483, 0.19999999999999995559,  0.14285714285717679428,
-                                       0.11111111109929366902, 0.090909092968283811143, 0.076922875661650486068,
+  static constexpr double kSeries[] = {0.33333333333333331483,  0.19999999999999995559,  0.14285714285717679428,
+                                       0.11111111109929366902,  0.090909092968283811143, 0.076922875661650486068,
                                        0.066678193349199110784, 0.058440618214315551149, 0.059409986014807292243};
   return series(t, kSeries);
 }
@@ -222,7 +222,8 @@ HWY_INLINE Angle<L> angle_of(const L& x) {
   L rest = ((x - n * kFirst) - n * kSecond) - n * kThird;
   const MaskOf<L> is_far = !(abs(x) <= kMost);
   if (any(is_far)) {
-    turns = one_by_one(is_far, select(is_far, x, turns), [](double far) { return quarter_turns(far).count + kWholeInBits; });
+    turns = one_by_one(is_far, select(is_far, x, turns),
+                       [](double far) { return quarter_turns(far).count + kWholeInBits; });
     rest = one_by_one(is_far, select(is_far, x, rest), [](double far) { return quarter_turns(far).rest; });
   }
   return {rest, turns};
@@ -230,7 +231,7 @@ HWY_INLINE Angle<L> angle_of(const L& x) {
 /// Sine and cosine of what is at most an eighth of a turn.
 template <class L>
 HWY_INLINE L sine_near_0(const L& x) {
-  static constexpr double kSeries[] = {-0.16666666666666665741,   0.008333333333333331483, -0.00019841269841265016553,
+  static constexpr double kSeries[] = {-0.16666666666666665741,   0.008333333333333331483,   -0.00019841269841265016553,
                                        2.7557319219301918897e-6,  -2.5052106219521894941e-8, 1.6058529572267876551e-10,
                                        -7.5865765881710725068e-13};
   const L t = x * x;
@@ -284,9 +285,9 @@ struct ArcSine {
 };
 template <class L>
 HWY_INLINE ArcSine<L> arc_sine_parts(const L& x) {
-  static constexpr double kSeries[] = {0.16666666666666668517,  0.074999999999984329202, 0.044642857146355428843,
-                                       0.030381944138531246508, 0.022372172942149888553, 0.017352392720869972559,
-                                       0.013971212973552932929, 0.011479177415184905683, 0.010322814350185779281,
+  static constexpr double kSeries[] = {0.16666666666666668517,   0.074999999999984329202, 0.044642857146355428843,
+                                       0.030381944138531246508,  0.022372172942149888553, 0.017352392720869972559,
+                                       0.013971212973552932929,  0.011479177415184905683, 0.010322814350185779281,
                                        0.0054575067186403581482, 0.017400879442694021371, -0.014851887071247203698,
                                        0.028757851367421566335};
   const L size = abs(x);
@@ -312,17 +313,18 @@ HWY_INLINE L arc_cosine(const L& x) {
 /// The angle of (x, y) from the x axis, from -pi to pi.
 template <class L>
 HWY_INLINE L arc_tangent(const L& y, const L& x) {
-  static constexpr double kSeries[] = {-0.33333333333333331483, 0.19999999999999804046,  -0.14285714285659828482,
+  static constexpr double kSeries[] = {-0.33333333333333331483, 0.19999999999999804046,   -0.14285714285659828482,
                                        0.11111111105155446754,  -0.090909087535008772929, 0.076922963750321426968,
-                                       -0.06666424885738254924, 0.058789289978347751553, -0.052304542706502442362,
-                                       0.045515932206265492799, -0.03457056198142774428, 0.016285756855221027867};
+                                       -0.06666424885738254924, 0.058789289978347751553,  -0.052304542706502442362,
+                                       0.045515932206265492799, -0.03457056198142774428,  0.016285756855221027867};
   constexpr double kEighth = 0.4142135623730950488;  // tan(pi/8)
   constexpr double kLarge = 0x1p1000, kLower = 0x1p-100;
   const L width = abs(x), height = abs(y);
   const MaskOf<L> is_steep = height > width;
   L below = select(is_steep, height, width), above = select(is_steep, width, height);
   const MaskOf<L> is_large = below > kLarge;
-  above = select(is_large, select(below == kInfinite, select(above == kInfinite, L(1.0), L(0.0)), above * kLower), above);
+  above =
+      select(is_large, select(below == kInfinite, select(above == kInfinite, L(1.0), L(0.0)), above * kLower), above);
   below = select(is_large, select(below == kInfinite, L(1.0), below * kLower), below);
   // Beyond pi/8 the angle to pi/4 is the smaller one.
   const MaskOf<L> is_wide = above > kEighth * below;

@@ -19,9 +19,8 @@ CompiledPattern::CompiledPattern(const Patterning& source, const PatternWorld& w
 }
 
 void CompiledPattern::to_pattern(const SurfacePoints& points, Columns3<double>& there) const {
-  for (std::size_t i = 0; i < points.size; ++i) {
-    there.set(i, source_->warps.to_pattern(points.at.vector(i), moved_by_turbulence_));
-  }
+  there = points.at;
+  source_->warps.to_pattern(there, points.size, moved_by_turbulence_);
 }
 
 void CompiledPattern::places(const Columns3<double>& there, const SurfacePoints& points, Column<double>& places) const {

@@ -1,14 +1,25 @@
 // Patterns of random cells: cells, crackle, facets.
 
 #include "render/math/lattice_random.h"
-#include "render/math/noise.h"
 #include "render/texture/field.h"
 #include "render/texture/patterns.h"
 
+#undef HWY_TARGET_INCLUDE
+#define HWY_TARGET_INCLUDE "render/texture/pattern_cells.cpp"
+#include <hwy/foreach_target.h>
+
+#include "render/lanes/math-inl.h"
+#include "render/math/noise-inl.h"
+
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <cmath>
+#include <cstddef>
+#include <cstdint>
 
+#ifndef FIRSTLIGHT_RENDER_TEXTURE_PATTERN_CELLS
+#define FIRSTLIGHT_RENDER_TEXTURE_PATTERN_CELLS
 namespace firstlight::render {
 namespace {
 
@@ -42,8 +53,6 @@ struct NearPoints {
   std::array<std::array<double, kNear>, 3> at;
   Vec3 corner{0.0};
   bool is_known = false;
-
-  Vec3 operator[](std::size_t i) const { return {at[0][i], at[1][i], at[2][i]}; }
 };
 
 /// Neighbours on a surface, and along a ray, often are in one cell; so what was found for some cells is kept, by thread.
@@ -61,76 +70,177 @@ const NearPoints& points_about(const Vec3& corner) {
   return near;
 }
 
-/// |x|^m + |y|^m + |z|^m, and its root.
-struct Metric {
-  double power;
+/// Calls visit(points, members, count) for each cell that any of the first `count` places lies in: its random points, and
+/// which of the places lie there.
+template <class Visit>
+inline void for_each_cell(const Columns3<double>& places, std::size_t count, const Visit& visit) {
+  std::array<Vec3, kRaysAtOnce> corners;
+  std::uint64_t left = count == 0 ? 0 : ~std::uint64_t{0} >> (kRaysAtOnce - count);
+  for (std::size_t i = 0; i < count; ++i) corners[i] = corner_below(places.vector(i));
+  while (left != 0) {
+    const Vec3 corner = corners[static_cast<std::size_t>(std::countr_zero(left))];
+    std::array<std::uint8_t, kRaysAtOnce> members;
+    std::size_t size = 0;
+    for (std::uint64_t rest = left; rest != 0; rest &= rest - 1) {
+      const auto i = static_cast<std::size_t>(std::countr_zero(rest));
+      // One whose corner is no number is alone.
+      if (corners[i] != corner && size != 0) continue;
+      members[size++] = static_cast<std::uint8_t>(i);
+      left &= ~(std::uint64_t{1} << i);
+    }
+    visit(points_about(corner), members, size);
+  }
+}
 
-  double sum(const Vec3& v) const {
-    if (power == 2.0) return v.x * v.x + v.y * v.y + v.z * v.z;
-    if (power == 1.0) return std::abs(v.x) + std::abs(v.y) + std::abs(v.z);
-    return std::pow(std::abs(v.x), power) + std::pow(std::abs(v.y), power) + std::pow(std::abs(v.z), power);
+}  // namespace
+}  // namespace firstlight::render
+#endif
+
+HWY_BEFORE_NAMESPACE();
+namespace firstlight::render {
+namespace HWY_NAMESPACE {
+
+/// |x|^m + |y|^m + |z|^m.
+template <class L>
+HWY_INLINE L metric_sum(const Vec3Of<L>& v, double m) {
+  if (m == 2.0) return dot(v, v);
+  if (m == 1.0) return abs(v.x) + abs(v.y) + abs(v.z);
+  return power(abs(v.x), L(m)) + power(abs(v.y), L(m)) + power(abs(v.z), L(m));
+}
+/// Its root.
+template <class L>
+HWY_INLINE L metric_root(const L& sum, double m) {
+  if (m == 2.0) return sqrt(sum);
+  return m == 1.0 ? sum : power(sum, L(1.0 / m));
+}
+
+template <class L>
+HWY_INLINE Vec3Of<L> near_point(const NearPoints& points, std::size_t i) {
+  return {L(points.at[0][i]), L(points.at[1][i]), L(points.at[2][i])};
+}
+/// The points of numbers i, which are whole.
+template <class L>
+HWY_INLINE Vec3Of<L> near_points(const NearPoints& points, const L& i) {
+  double number[L::kCount], x[L::kCount], y[L::kCount], z[L::kCount];
+  i.store(number);
+  for (std::size_t lane = 0; lane < L::kCount; ++lane) {
+    const auto k = static_cast<std::size_t>(number[lane]);
+    x[lane] = points.at[0][k];
+    y[lane] = points.at[1][k];
+    z[lane] = points.at[2][k];
   }
-  void sums(const Vec3& from, const NearPoints& points, std::array<double, kNear>& sums) const {
-    if (power != 2.0) {
-      for (std::size_t i = 0; i < kNear; ++i) sums[i] = sum(points[i] - from);
-      return;
-    }
-    for (std::size_t i = 0; i < kNear; ++i) {
-      const double x = points.at[0][i] - from.x;
-      const double y = points.at[1][i] - from.y;
-      const double z = points.at[2][i] - from.z;
-      sums[i] = x * x + y * y + z * z;
-    }
-  }
-  double root(double sum) const {
-    if (power == 2.0) return std::sqrt(sum);
-    return power == 1.0 ? sum : std::pow(sum, 1.0 / power);
-  }
-  double power_of(double offset) const {
-    if (power == 2.0) return offset * offset;
-    return power == 1.0 ? offset : std::pow(offset, power);
-  }
-};
+  return {L::load(x), L::load(y), L::load(z)};
+}
 
 /// The distances to the three nearest of random points, weighted. [S. Worley 1996, "A cellular texture basis function"]
+template <class L>
+HWY_INLINE L crackle(const CrackleParameters& parameters, int generator, const Vec3Of<L>& p, const NearPoints& points) {
+  const double m = parameters.metric;
+  L least[3] = {L(kInfinite), L(kInfinite), L(kInfinite)};
+  L nearest = 0.0;
+  for (std::size_t i = 0; i < kNear; ++i) {
+    const L sum = metric_sum(near_point<L>(points, i) - p, m);
+    if (parameters.solid) nearest = select(sum < least[0], L(static_cast<double>(i)), nearest);
+    // What is no number changes none of them.
+    least[2] = min(least[2], max(sum, least[1]));
+    least[1] = min(least[1], max(sum, least[0]));
+    least[0] = min(least[0], sum);
+  }
+  if (parameters.solid) return noise(near_points(points, nearest), generator);
+  L more = 0.0;
+  if (parameters.offset != 0.0) {
+    const L offset = parameters.offset;
+    more = m == 2.0 ? offset * offset : m == 1.0 ? offset : power(offset, L(m));
+  }
+  const Vec3& form = parameters.form;
+  const L sum = form.x * metric_root(least[0] + more, m) + form.y * metric_root(least[1] + more, m) +
+                form.z * metric_root(least[2] + more, m);
+  return max(min(sum, 1.0), 0.0);
+}
+
+void crackle_values(const CrackleParameters& parameters, int generator, const Columns3<double>& at, std::size_t count,
+                    Column<double>& values) {
+  for_each_cell(at, count, [&](const NearPoints& points, const auto& members, std::size_t size) HWY_ATTR {
+    Columns3<double> picked;
+    Column<double> found;
+    for (std::size_t k = 0; k < size; ++k) picked.set(k, at.vector(members[k]));
+    for (std::size_t k = 0; k < size; k += Lanes::kCount) {
+      store(crackle(parameters, generator, load3<Lanes>(picked, k), points), found, k);
+    }
+    for (std::size_t k = 0; k < size; ++k) values[members[k]] = found[k];
+  });
+}
+
+/// The number of the nearest of the points. With metric 1 the steps are not taken without their signs. [POV-Ray 3.7]
+template <class L>
+HWY_INLINE L nearest_of(const Vec3Of<L>& place, double metric, const NearPoints& points) {
+  L nearest = 0.0, least = kInfinite;
+  for (std::size_t i = 0; i < kNear; ++i) {
+    const Vec3Of<L> way = near_point<L>(points, i) - place;
+    const L sum = metric == 1.0 ? way.x + way.y + way.z : metric_sum(way, metric);
+    nearest = select(sum < least, L(static_cast<double>(i)), nearest);
+    least = min(least, sum);
+  }
+  return nearest;
+}
+
+template <class L>
+HWY_INLINE Vec3Of<L> unit_or_0(const Vec3Of<L>& v) {
+  const L size = length(v);
+  const Vec3Of<L> zero = {L(0.0), L(0.0), L(0.0)};
+  return select(size != 0.0, v / size, zero);
+}
+
+void facet_tilts(const FacetsParameters& parameters, const Columns3<double>& at, std::size_t count,
+                 Columns3<double>& normals) {
+  constexpr double kSmallest = 1e-6;
+  const double scale = parameters.size < kSmallest ? 1.0 / kSmallest : 1.0 / parameters.size;
+  Columns3<double> places;
+  for (std::size_t i = 0; i < count; i += Lanes::kCount) {
+    const Vec3Of<Lanes> normal = unit_or_0(load3<Lanes>(normals, i));
+    store3(normal, normals, i);
+    store3((parameters.coords != 0.0 ? load3<Lanes>(at, i) : normal) * Lanes(scale), places, i);
+  }
+  for_each_cell(places, count, [&](const NearPoints& points, const auto& members, std::size_t size) HWY_ATTR {
+    Columns3<double> picked, found, picked_normals;
+    for (std::size_t k = 0; k < size; ++k) {
+      picked.set(k, places.vector(members[k]));
+      picked_normals.set(k, normals.vector(members[k]));
+    }
+    for (std::size_t k = 0; k < size; k += Lanes::kCount) {
+      Vec3Of<Lanes> facet = near_points(points, nearest_of(load3<Lanes>(picked, k), parameters.metric, points));
+      if (parameters.coords != 0.0) {
+        const Vec3Of<Lanes> normal = load3<Lanes>(picked_normals, k), shove = dnoise(facet);
+        facet = normal + (shove - normal * dot(shove, normal)) * Lanes(parameters.coords);
+      }
+      store3(facet, found, k);
+    }
+    for (std::size_t k = 0; k < size; ++k) normals.set(members[k], found.vector(k));
+  });
+}
+
+}  // namespace HWY_NAMESPACE
+}  // namespace firstlight::render
+HWY_AFTER_NAMESPACE();
+
+#if HWY_ONCE
+namespace firstlight::render {
+namespace {
+
+HWY_EXPORT(crackle_values);
+HWY_EXPORT(facet_tilts);
+
 class Crackle final : public Pattern {
  public:
   Crackle(const CrackleParameters& parameters, int noise_generator)
-      : parameters_(parameters), metric_{parameters.metric}, generator_(noise_generator) {}
+      : parameters_(parameters), generator_(noise_generator) {}
 
   void values(const Columns3<double>& at, const SurfacePoints& points, Column<double>& values) const override {
-    for (std::size_t i = 0; i < points.size; ++i) {
-      const Vec3 point = at.vector(i);
-      values[i] = value(point, points_about(corner_below(point)));
-    }
+    HWY_DYNAMIC_DISPATCH(crackle_values)(parameters_, generator_, at, points.size, values);
   }
 
  private:
-  double value(const Vec3& point, const NearPoints& points) const {
-    std::array<double, 3> least = {INFINITY, INFINITY, INFINITY};
-    std::size_t nearest = 0;
-    std::array<double, kNear> sums;
-    metric_.sums(point, points, sums);
-    for (std::size_t i = 0; i < kNear; ++i) {
-      const double sum = sums[i];
-      if (sum < least[0]) {
-        least = {sum, least[0], least[1]};
-        nearest = i;
-      } else if (sum < least[1]) {
-        least = {least[0], sum, least[1]};
-      } else if (sum < least[2]) {
-        least[2] = sum;
-      }
-    }
-    if (parameters_.solid) return noise(points[nearest], generator_);
-    const double more = parameters_.offset != 0.0 ? metric_.power_of(parameters_.offset) : 0.0;
-    const auto distance = [&](std::size_t i) { return metric_.root(least[i] + more); };
-    const Vec3& form = parameters_.form;
-    return std::max(std::min(form.x * distance(0) + form.y * distance(1) + form.z * distance(2), 1.0), 0.0);
-  }
-
   CrackleParameters parameters_;
-  Metric metric_;
   int generator_;
 };
 
@@ -145,39 +255,10 @@ class Facets final : public Pattern {
   bool has_tilt() const override { return true; }
   void tilt(const Tilting&, const Columns3<double>& at, const SurfacePoints& points,
             Columns3<double>& normals) const override {
-    constexpr double kSmallest = 1e-6;
-    const double scale = parameters_.size < kSmallest ? 1.0 / kSmallest : 1.0 / parameters_.size;
-    for (std::size_t i = 0; i < points.size; ++i) {
-      const Vec3 normal = normals.vector(i).normalized();
-      const Vec3 place = (parameters_.coords != 0.0 ? at.vector(i) : normal) * scale;
-      const Vec3 facet = nearest(place, points_about(corner_below(place)));
-      if (parameters_.coords == 0.0) {
-        normals.set(i, facet);
-      } else {
-        const Vec3 shove = dnoise(facet);
-        normals.set(i, normal + (shove - normal * shove.dot(normal)) * parameters_.coords);
-      }
-    }
+    HWY_DYNAMIC_DISPATCH(facet_tilts)(parameters_, at, points.size, normals);
   }
 
  private:
-  /// With metric 1 the steps are not taken without their signs. [POV-Ray 3.7]
-  double distance(const Vec3& v) const {
-    return parameters_.metric == 1.0 ? v.x + v.y + v.z : Metric{parameters_.metric}.sum(v);
-  }
-  Vec3 nearest(const Vec3& place, const NearPoints& points) const {
-    std::size_t best = 0;
-    double least = distance(points[0] - place);
-    for (std::size_t i = 1; i < kNear; ++i) {
-      const double sum = distance(points[i] - place);
-      if (sum < least) {
-        least = sum;
-        best = i;
-      }
-    }
-    return points[best];
-  }
-
   FacetsParameters parameters_;
 };
 
@@ -198,3 +279,4 @@ PatternPtr pattern::make_facets(const PatternRequest& request) {
 }
 
 }  // namespace firstlight::render
+#endif

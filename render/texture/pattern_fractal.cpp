@@ -199,8 +199,7 @@ HWY_INLINE void magnet_orbit(const FractalParameters& fractal, Complex<L> z, con
     orbit.nearest = select(live, min(orbit.nearest, distance), orbit.nearest);
     orbit.a = select(live, z.a, orbit.a);
     orbit.b = select(live, z.b, orbit.b);
-    const MaskOf<L> leaves =
-        live & ((distance > kFar) | ((z.a - 1.0) * (z.a - 1.0) + z.b * z.b < kAtOne));
+    const MaskOf<L> leaves = live & ((distance > kFar) | ((z.a - 1.0) * (z.a - 1.0) + z.b * z.b < kAtOne));
     orbit.left = orbit.left | leaves;
     live = without(live, leaves);
     orbit.rounds = select(live, orbit.rounds + 1.0, orbit.rounds);
@@ -248,7 +247,8 @@ void fractal_values(const FractalParameters& fractal, const Columns3<double>& at
     }
     orbits_of<kTogether>(fractal, points, wanted, orbits);
     for (std::size_t v = 0; v < kTogether; ++v) {
-      const Lanes value = select(orbits[v].left, exterior_value(fractal, orbits[v]), interior_value(fractal, orbits[v]));
+      const Lanes value =
+          select(orbits[v].left, exterior_value(fractal, orbits[v]), interior_value(fractal, orbits[v]));
       store(value, values, i + v * Lanes::kCount);
     }
   }
@@ -267,9 +267,11 @@ HWY_EXPORT(fractal_values);
 }  // namespace
 
 PatternPtr pattern::make_fractal(const PatternRequest& request) {
-  return make_lane_field(request.get<FractalParameters>(),
-                         [](const FractalParameters& fractal, const Columns3<double>& at, std::size_t count,
-                            Column<double>& values) { HWY_DYNAMIC_DISPATCH(fractal_values)(fractal, at, count, values); });
+  return make_lane_field(
+      request.get<FractalParameters>(),
+      [](const FractalParameters& fractal, const Columns3<double>& at, std::size_t count, Column<double>& values) {
+        HWY_DYNAMIC_DISPATCH(fractal_values)(fractal, at, count, values);
+      });
 }
 
 }  // namespace firstlight::render

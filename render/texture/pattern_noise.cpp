@@ -148,7 +148,9 @@ PatternPtr pattern::make_dents(const PatternRequest& request) { return with_tilt
 PatternPtr pattern::make_granite(const PatternRequest& request) {
   return without_tilt(Granite{request.noise_generator});
 }
-PatternPtr pattern::make_wrinkles(const PatternRequest& request) { return with_tilt(Wrinkles{request.noise_generator}); }
+PatternPtr pattern::make_wrinkles(const PatternRequest& request) {
+  return with_tilt(Wrinkles{request.noise_generator});
+}
 
 }  // namespace firstlight::render
 #endif

@@ -111,8 +111,10 @@ namespace {
 HWY_EXPORT(turbulent_values);
 
 PatternPtr make_turbulent(const TurbulentFormula& formula) {
-  return make_lane_field(formula, [](const TurbulentFormula& f, const Columns3<double>& at, std::size_t count,
-                                     Column<double>& values) { HWY_DYNAMIC_DISPATCH(turbulent_values)(f, at, count, values); });
+  return make_lane_field(
+      formula, [](const TurbulentFormula& f, const Columns3<double>& at, std::size_t count, Column<double>& values) {
+        HWY_DYNAMIC_DISPATCH(turbulent_values)(f, at, count, values);
+      });
 }
 
 PatternPtr make_spiral(const PatternRequest& request, bool is_folded) {

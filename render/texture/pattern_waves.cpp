@@ -113,7 +113,8 @@ PatternPtr make_rings(const PatternRequest& request, bool differ) {
         HWY_DYNAMIC_DISPATCH(ring_values)(rings, at, count, values);
       },
       [](const Rings& rings, const Tilting& tilting, const Columns3<double>& at, std::size_t count,
-         Columns3<double>& normals) { HWY_DYNAMIC_DISPATCH(ring_tilts)(rings, tilting, at, count, normals); });
+         Columns3<double>& normals) { HWY_DYNAMIC_DISPATCH(ring_tilts)
+                                      (rings, tilting, at, count, normals); });
 }
 
 }  // namespace

@@ -2,64 +2,107 @@
 
 #include "render/math/lattice_random.h"
 
-#include <algorithm>
-#include <cmath>
-#include <numbers>
+#undef HWY_TARGET_INCLUDE
+#define HWY_TARGET_INCLUDE "render/texture/warp.cpp"
+#include <hwy/foreach_target.h>
 
+#include "render/lanes/math-inl.h"
+#include "render/math/noise-inl.h"
+
+#include <cstddef>
+
+HWY_BEFORE_NAMESPACE();
 namespace firstlight::render {
-namespace {
+namespace HWY_NAMESPACE {
 
 /// Patterns are evaluated no farther from their origin than this. [POV-Ray 3.7]
 constexpr double kFarthest = 1e17;
+constexpr double kWholeTurn = 2.0 * kPiHigh;
 
-Vec3 moved(const Turbulence& turbulence, const Vec3& point) {
-  return point + dturbulence(point, octaves_of(turbulence)) * turbulence.amount;
+template <class L>
+HWY_INLINE L& component(Vec3Of<L>& v, int axis) {
+  return axis == 0 ? v.x : axis == 1 ? v.y : v.z;
+}
+
+template <class L>
+HWY_INLINE L to_single(const L& x) {
+  return one_by_one(L::first(L::kCount), x,
+                    [](double number) { return static_cast<double>(static_cast<float>(number)); });
 }
 
 // The point before a warp for one behind it. [POV-Ray 3.7]
-Vec3 unwarped(const Transform& transform, const Vec3& point) { return transform.inverse_point(point); }
-Vec3 unwarped(const Turbulence& turbulence, const Vec3& point) { return moved(turbulence, point); }
+template <class L>
+HWY_INLINE Vec3Of<L> unwarped(const Transform& transform, const Vec3Of<L>& p) {
+  if (transform.is_identity()) return p;
+  const Mat4& m = transform.inverse_matrix();
+  return {p.x * m[0][0] + p.y * m[1][0] + p.z * m[2][0] + m[3][0],
+          p.x * m[0][1] + p.y * m[1][1] + p.z * m[2][1] + m[3][1],
+          p.x * m[0][2] + p.y * m[1][2] + p.z * m[2][2] + m[3][2]};
+}
+
+template <class L>
+HWY_INLINE Vec3Of<L> unwarped(const Turbulence& turbulence, const Vec3Of<L>& p) {
+  return p + dturbulence(p, octaves_of(turbulence)) * everywhere<L>(turbulence.amount);
+}
+
 /// Every other block is mirrored along the axes that flip; blocks are counted in single precision.
-Vec3 unwarped(const RepeatWarp& repeat, const Vec3& point) {
+template <class L>
+HWY_INLINE Vec3Of<L> unwarped(const RepeatWarp& repeat, const Vec3Of<L>& p) {
   const int axis = repeat.axis;
-  const auto width = static_cast<float>(repeat.width);
-  const auto block = static_cast<float>(std::floor(point[axis] / static_cast<double>(width)));
-  Vec3 there = point;
-  there[axis] = point[axis] - static_cast<double>(block * width);
-  if (std::fmod(block, 2.0f) != 0.0f) {
-    there *= repeat.flip;
-    if (repeat.flip[axis] < 0.0) there[axis] = static_cast<double>(width) + there[axis];
+  const double width = static_cast<float>(repeat.width);
+  Vec3Of<L> there = p;
+  L& along = component(there, axis);
+  const L block = to_single(floor(along / width));
+  along = along - to_single(block * width);
+  const L pairs = 0.5 * block;
+  Vec3Of<L> mirrored = there * everywhere<L>(repeat.flip);
+  if (repeat.flip[axis] < 0.0) component(mirrored, axis) = width + component(mirrored, axis);
+  there = select(pairs - trunc(pairs) != 0.0, mirrored, there);
+  return there + everywhere<L>(repeat.offset) * block;
+}
+
+/// The centre of a repeated hole in the block that a point lies in.
+template <class L>
+HWY_INLINE Vec3Of<L> center_near(const BlackHoleWarp& hole, Vec3Of<L> p) {
+  constexpr double kNoBlock = 1e-10;
+  Vec3Of<L> block = {L(0.0), L(0.0), L(0.0)};
+  for (int axis = 0; axis < 3; ++axis) {
+    const double size = (*hole.repeat)[axis];
+    if (size >= kNoBlock) component(block, axis) = floor(component(p, axis) / size);
   }
-  return there + repeat.offset * static_cast<double>(block);
+  Vec3Of<L> center = everywhere<L>(hole.center);
+  if (hole.turbulence) {
+    double x[L::kCount], y[L::kCount], z[L::kCount];
+    block.x.store(x);
+    block.y.store(y);
+    block.z.store(z);
+    for (std::size_t i = 0; i < L::kCount; ++i) {
+      const unsigned hash = cell_hash(x[i], y[i], z[i]);
+      x[i] = table_random(hash);
+      y[i] = table_random(hash + 1);
+      z[i] = table_random(hash + 2);
+    }
+    center = center + Vec3Of<L>{L::load(x), L::load(y), L::load(z)} * everywhere<L>(*hole.turbulence);
+  }
+  return center + everywhere<L>(*hole.repeat) * block;
 }
 
 /// Points are moved from the hole's centre, the further the nearer they are, so that the pattern seems drawn in.
-Vec3 unwarped(const BlackHoleWarp& hole, const Vec3& point) {
-  constexpr double kNoBlock = 1e-10;
-  Vec3 center = hole.center;
-  if (hole.repeat) {
-    Vec3 block(0.0);
-    for (int axis = 0; axis < 3; ++axis) {
-      const double size = (*hole.repeat)[axis];
-      if (size >= kNoBlock) block[axis] = std::floor(point[axis] / size);
-    }
-    if (hole.turbulence) {
-      const unsigned hash = cell_hash(block.x, block.y, block.z);
-      center += Vec3(table_random(hash), table_random(hash + 1), table_random(hash + 2)) * *hole.turbulence;
-    }
-    center += *hole.repeat * block;
-  }
-  const Vec3 way = point - center;
-  const double distance = way.length();
-  if (distance >= hole.radius || hole.type != 0) return point;
-  const double nearness = (hole.radius - distance) / hole.radius;
-  const double strength = std::min(std::pow(nearness, hole.falloff) * hole.strength, 1.0);
-  return point + way * (hole.inverted ? -strength : strength);
+template <class L>
+HWY_INLINE Vec3Of<L> unwarped(const BlackHoleWarp& hole, const Vec3Of<L>& p) {
+  if (hole.type != 0) return p;
+  const Vec3Of<L> way = p - (hole.repeat ? center_near(hole, p) : everywhere<L>(hole.center));
+  const L distance = length(way);
+  const MaskOf<L> is_within = distance < hole.radius;
+  const L nearness = (hole.radius - select(is_within, distance, L(0.0))) / hole.radius;
+  const L strength = min(power(nearness, L(hole.falloff)) * hole.strength, 1.0);
+  return select(is_within, p + way * (hole.inverted ? -strength : strength), p);
 }
 
 /// A flat picture stands across z. Turns it across `direction`, the way POV-Ray does for the axes; other directions make
 /// mixtures.
-Vec3 turned(const Vec3& p, const Vec3& direction) {
+template <class L>
+HWY_INLINE Vec3Of<L> turned(const Vec3Of<L>& p, const Vec3& direction) {
   if (direction == Vec3(0.0, 0.0, 1.0)) return p;
   return {direction.x * p.z + direction.y * p.x + direction.z * p.x,
           direction.x * p.y + direction.y * -p.z + direction.z * p.y,
@@ -67,64 +110,125 @@ Vec3 turned(const Vec3& p, const Vec3& direction) {
 }
 
 /// Part of a turn from the x axis towards z.
-double turn_about_y(double x, double z, double length) {
-  constexpr double kTurn = 2.0 * std::numbers::pi;
-  if (z == 0.0) return x > 0.0 ? 0.0 : 0.5;
-  const double angle = std::acos(x / length);
-  return (z < 0.0 ? kTurn - angle : angle) / kTurn;
+template <class L>
+HWY_INLINE L turn_about_y(const L& x, const L& z, const L& length) {
+  const L angle = arc_cosine(x / length);
+  const L turn = select(z < 0.0, kWholeTurn - angle, angle) / kWholeTurn;
+  return select(z == 0.0, select(x > 0.0, L(0.0), L(0.5)), turn);
 }
 
 /// What angles are stretched by with distance.
-double stretch(double distance, double exponent) {
+template <class L>
+HWY_INLINE L stretch(const L& distance, double exponent) {
   if (exponent == 0.0) return 1.0;
-  return exponent == 1.0 ? distance : std::pow(distance, exponent);
+  return exponent == 1.0 ? distance : power(distance, L(exponent));
 }
 
-Vec3 unwarped(const CylindricalWarp& warp, const Vec3& p) {
-  const double distance = std::sqrt(p.x * p.x + p.z * p.z);
-  if (distance == 0.0) return p;
-  const double turn = turn_about_y(p.x, p.z, distance) * stretch(distance, warp.distance_exponent);
-  return turned({turn, p.y, distance}, warp.orientation);
+template <class L>
+HWY_INLINE Vec3Of<L> unwarped(const CylindricalWarp& warp, const Vec3Of<L>& p) {
+  const L distance = sqrt(p.x * p.x + p.z * p.z);
+  const L turn = turn_about_y(p.x, p.z, distance) * stretch(distance, warp.distance_exponent);
+  return select(distance == 0.0, p, turned<L>({turn, p.y, distance}, warp.orientation));
 }
 
-Vec3 unwarped(const SphericalWarp& warp, const Vec3& p) {
-  const double distance = std::sqrt(p.x * p.x + p.y * p.y + p.z * p.z);
-  if (distance == 0.0) return p;
-  const Vec3 unit(p.x / distance, p.y / distance, p.z / distance);
-  const double from_axis = std::sqrt(unit.x * unit.x + unit.z * unit.z);
-  const double turn = from_axis == 0.0 ? 0.0 : turn_about_y(unit.x, unit.z, from_axis);
-  const double up = 0.5 + std::asin(unit.y) / std::numbers::pi;
-  const double factor = stretch(distance, warp.distance_exponent);
-  return turned({turn * factor, up * factor, distance}, warp.orientation);
+template <class L>
+HWY_INLINE Vec3Of<L> unwarped(const SphericalWarp& warp, const Vec3Of<L>& p) {
+  const L distance = length(p);
+  const Vec3Of<L> unit = p / distance;
+  const L from_axis = sqrt(unit.x * unit.x + unit.z * unit.z);
+  const L turn = select(from_axis == 0.0, L(0.0), turn_about_y(unit.x, unit.z, from_axis));
+  const L up = 0.5 + arc_sine(unit.y) / kPiHigh;
+  const L factor = stretch(distance, warp.distance_exponent);
+  return select(distance == 0.0, p, turned<L>({turn * factor, up * factor, distance}, warp.orientation));
 }
 
-Vec3 unwarped(const ToroidalWarp& warp, const Vec3& p) {
-  constexpr double kTurn = 2.0 * std::numbers::pi;
-  const double from_axis = std::sqrt(p.x * p.x + p.z * p.z);
-  if (from_axis == 0.0) return p;
-  const double x = from_axis - warp.major_radius;
-  const double distance = std::sqrt(x * x + p.y * p.y);
-  double around = std::acos(-x / distance);
-  if (p.y > 0.0) around = kTurn - around;
-  const double factor = stretch(distance, warp.distance_exponent);
-  return turned({turn_about_y(p.x, p.z, from_axis) * factor, around / kTurn * factor, distance}, warp.orientation);
+template <class L>
+HWY_INLINE Vec3Of<L> unwarped(const ToroidalWarp& warp, const Vec3Of<L>& p) {
+  const L from_axis = sqrt(p.x * p.x + p.z * p.z);
+  const L x = from_axis - warp.major_radius;
+  const L distance = sqrt(x * x + p.y * p.y);
+  L around = arc_cosine(-x / distance);
+  around = select(p.y > 0.0, kWholeTurn - around, around);
+  const L factor = stretch(distance, warp.distance_exponent);
+  const L turn = turn_about_y(p.x, p.z, from_axis) * factor;
+  return select(from_axis == 0.0, p, turned<L>({turn, around / kWholeTurn * factor, distance}, warp.orientation));
 }
 
-Vec3 unwarped(const PlanarWarp& warp, const Vec3& p) { return turned({p.x, p.y, warp.offset}, warp.orientation); }
+template <class L>
+HWY_INLINE Vec3Of<L> unwarped(const PlanarWarp& warp, const Vec3Of<L>& p) {
+  return turned<L>({p.x, p.y, L(warp.offset)}, warp.orientation);
+}
 
+/// A place on a side of a cube, by how far it is along the net's two axes and how far away.
+template <class L>
+HWY_INLINE L across_net(const L& place) {
+  return 0.25 * (place + 1.0) / 2.0;
+}
+template <class L>
+HWY_INLINE L up_net(const L& place) {
+  return 1.0 / 3.0 * (place + 1.0) / 2.0;
+}
 /// The six sides of a cube as they lie in a picture of its net, four wide and three high; z is the distance.
-Vec3 unwarped(const CubicWarp&, const Vec3& p) {
-  const double x = std::abs(p.x), y = std::abs(p.y), z = std::abs(p.z);
-  const auto across = [](double place) { return 0.25 * (place + 1.0) / 2.0; };
-  const auto up = [](double place) { return 1.0 / 3.0 * (place + 1.0) / 2.0; };
+template <class L>
+HWY_INLINE Vec3Of<L> unwarped(const CubicWarp&, const Vec3Of<L>& p) {
   constexpr double kMiddle = 1.0 / 3.0;
-  if (p.x >= 0.0 && p.x >= y && p.x >= z) return {0.75 - across(p.z / p.x), kMiddle + up(p.y / p.x), p.x};
-  if (p.y >= 0.0 && p.y >= x && p.y >= z) return {0.25 + across(p.x / p.y), 1.0 - up(p.z / p.y), p.y};
-  if (p.z >= 0.0 && p.z >= x && p.z >= y) return {0.25 + across(p.x / p.z), kMiddle + up(p.y / p.z), p.z};
-  if (p.x < 0.0 && x >= y && x >= z) return {across(p.z / x), kMiddle + up(p.y / x), x};
-  if (p.y < 0.0 && y >= x && y >= z) return {0.25 + across(p.x / y), up(p.z / y), y};
-  return {1.0 - across(p.x / -p.z), kMiddle + up(p.y / -p.z), -p.z};
+  const L x = abs(p.x), y = abs(p.y), z = abs(p.z);
+  // From the side that is asked last to the first: each takes what is its own from those behind it.
+  Vec3Of<L> there = {1.0 - across_net(p.x / -p.z), kMiddle + up_net(p.y / -p.z), -p.z};
+  there = select((p.y < 0.0) & (y >= x) & (y >= z), Vec3Of<L>{0.25 + across_net(p.x / y), up_net(p.z / y), y}, there);
+  there =
+      select((p.x < 0.0) & (x >= y) & (x >= z), Vec3Of<L>{across_net(p.z / x), kMiddle + up_net(p.y / x), x}, there);
+  there = select((p.z >= 0.0) & (p.z >= x) & (p.z >= y),
+                 Vec3Of<L>{0.25 + across_net(p.x / p.z), kMiddle + up_net(p.y / p.z), p.z}, there);
+  there = select((p.y >= 0.0) & (p.y >= x) & (p.y >= z),
+                 Vec3Of<L>{0.25 + across_net(p.x / p.y), 1.0 - up_net(p.z / p.y), p.y}, there);
+  return select((p.x >= 0.0) & (p.x >= y) & (p.x >= z),
+                Vec3Of<L>{0.75 - across_net(p.z / p.x), kMiddle + up_net(p.y / p.x), p.x}, there);
 }
+
+template <class L>
+HWY_INLINE Vec3Of<L> unwarped(const Warp& warp, const Vec3Of<L>& p) {
+  switch (warp.index()) {
+    case 0:
+      return unwarped(std::get<Transform>(warp), p);
+    case 1:
+      return unwarped(std::get<Turbulence>(warp), p);
+    case 2:
+      return unwarped(std::get<RepeatWarp>(warp), p);
+    case 3:
+      return unwarped(std::get<BlackHoleWarp>(warp), p);
+    case 4:
+      return unwarped(std::get<CylindricalWarp>(warp), p);
+    case 5:
+      return unwarped(std::get<SphericalWarp>(warp), p);
+    case 6:
+      return unwarped(std::get<ToroidalWarp>(warp), p);
+    case 7:
+      return unwarped(std::get<PlanarWarp>(warp), p);
+    default:
+      return unwarped(std::get<CubicWarp>(warp), p);
+  }
+}
+
+void unwarp_block(const Warps& warps, bool moves, Columns3<double>& points, std::size_t count) {
+  for (std::size_t i = 0; i < count; i += Lanes::kCount) {
+    Vec3Of<Lanes> p = load3<Lanes>(points, i);
+    for (auto step = warps.steps.rbegin(); step != warps.steps.rend(); ++step) p = unwarped(*step, p);
+    if (warps.turbulence && moves) p = unwarped(*warps.turbulence, p);
+    p = {clamp(p.x, -kFarthest, kFarthest), clamp(p.y, -kFarthest, kFarthest), clamp(p.z, -kFarthest, kFarthest)};
+    store3(p, points, i);
+  }
+}
+
+}  // namespace HWY_NAMESPACE
+}  // namespace firstlight::render
+HWY_AFTER_NAMESPACE();
+
+#if HWY_ONCE
+namespace firstlight::render {
+namespace {
+
+HWY_EXPORT(unwarp_block);
 
 }  // namespace
 
@@ -143,14 +247,15 @@ void Warps::transform(const Transform& next) {
   steps.emplace_back(next);
 }
 
+void Warps::to_pattern(Columns3<double>& points, std::size_t count, bool moves) const {
+  HWY_DYNAMIC_DISPATCH(unwarp_block)(*this, moves, points, count);
+}
+
 Vec3 Warps::to_pattern(const Vec3& point, bool moves) const {
-  Vec3 there = point;
-  for (auto step = steps.rbegin(); step != steps.rend(); ++step) {
-    there = std::visit([&](const auto& warp) { return unwarped(warp, there); }, *step);
-  }
-  if (turbulence && moves) there = moved(*turbulence, there);
-  const auto within = [](double x) { return std::clamp(x, -kFarthest, kFarthest); };
-  return {within(there.x), within(there.y), within(there.z)};
+  Columns3<double> points;
+  points.set(0, point);
+  to_pattern(points, 1, moves);
+  return points.vector(0);
 }
 
 Vec3 Warps::normal_to_pattern(const Vec3& normal) const {
@@ -170,3 +275,4 @@ Vec3 Warps::normal_from_pattern(const Vec3& normal) const {
 }
 
 }  // namespace firstlight::render
+#endif

@@ -1,10 +1,12 @@
 #pragma once
 
 #include "render/feature/feature.h"
+#include "render/math/columns.h"
 #include "render/math/noise.h"
 #include "render/math/transform.h"
 #include "render/math/vec.h"
 
+#include <cstddef>
 #include <optional>
 #include <variant>
 #include <vector>
@@ -75,7 +77,9 @@ struct Warps {
   FeatureUses unrendered = {};
 
   void transform(const Transform& next);
-  /// The pattern's point for `point` of the space it is placed in. `moves`: by the word turbulence too.
+  /// Moves points of the space that the pattern is placed in, `count` of them, to the pattern's own. `moves`: by the word
+  /// turbulence too.
+  void to_pattern(Columns3<double>& points, std::size_t count, bool moves = true) const;
   Vec3 to_pattern(const Vec3& point, bool moves = true) const;
   /// A surface normal on the same way, which transformations alone change; its length is left as it comes.
   Vec3 normal_to_pattern(const Vec3& normal) const;

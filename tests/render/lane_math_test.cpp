@@ -158,9 +158,29 @@ TEST(LaneMath, LargeAnglesAreReducedExactly) {
 
 TEST(LaneMath, SpecialCasesAreThoseOfTheLibrary) {
   constexpr double kInfinite = std::numeric_limits<double>::infinity();
-  const double kSpecial[] = {0.0,    -0.0,  1.0,   -1.0,      2.0,        -2.0,    3.0,   -3.0, 0.5,   -0.5,
-                             1e-320, 1e300, 1e-300, kInfinite, -kInfinite, -1e-320, 1e17,  -1e17, 1.5,  -2.5,
-                             std::numeric_limits<double>::quiet_NaN(), 1.0000000000000002, 0.99999999999999989};
+  const double kSpecial[] = {0.0,
+                             -0.0,
+                             1.0,
+                             -1.0,
+                             2.0,
+                             -2.0,
+                             3.0,
+                             -3.0,
+                             0.5,
+                             -0.5,
+                             1e-320,
+                             1e300,
+                             1e-300,
+                             kInfinite,
+                             -kInfinite,
+                             -1e-320,
+                             1e17,
+                             -1e17,
+                             1.5,
+                             -2.5,
+                             std::numeric_limits<double>::quiet_NaN(),
+                             1.0000000000000002,
+                             0.99999999999999989};
   constexpr std::size_t kCount = std::size(kSpecial);
   std::array<double, std::size(kRows)> worst{};
   for (std::size_t next = 0; next < kCount * kCount;) {

@@ -33,15 +33,35 @@ void all_operations(const Column<double>& a, const Column<double>& b, const Colu
     next = 0;
     const L x = load<L>(a, i), y = load<L>(b, i), z = load<L>(c, i);
     const Vec3Of<L> v{x, y, z}, w{z, x, y};
-    for (const L& value : {x + y, x - y, x * y, x / y, -x, x * y + z, sqrt(x), abs(x), floor(x), trunc(x), min(x, y),
-                           max(x, y), copysign(x, y), clamp(x, -1.0, 1.0), dot(v, w), cross(v, w).y, length(v),
-                           (v * 2.0 - w / y + everywhere<L>(Vec3(1.0, 2.0, 3.0))).z, add_to_bits(x, 1), and_bits(x, ~0xffffll), or_bits(x, 1),
-                           add_bits(x, y), shift_bits_left<1>(x), shift_bits_right<12>(x)}) {
+    for (const L& value : {x + y,
+                           x - y,
+                           x * y,
+                           x / y,
+                           -x,
+                           x * y + z,
+                           sqrt(x),
+                           abs(x),
+                           floor(x),
+                           trunc(x),
+                           min(x, y),
+                           max(x, y),
+                           copysign(x, y),
+                           clamp(x, -1.0, 1.0),
+                           dot(v, w),
+                           cross(v, w).y,
+                           length(v),
+                           (v * 2.0 - w / y + everywhere<L>(Vec3(1.0, 2.0, 3.0))).z,
+                           add_to_bits(x, 1),
+                           and_bits(x, ~0xffffll),
+                           or_bits(x, 1),
+                           add_bits(x, y),
+                           shift_bits_left<1>(x),
+                           shift_bits_right<12>(x)}) {
       put(value, i);
     }
-    for (const MaskOf<L>& mask : {x < y, x <= y, x > y, x >= y, x == y, x != y, (x < y) & (y < z), (x < y) | (y < z),
-                                  !(x < y), without(x < y, y < z), L::first(i < 61 ? 61 - i : 0),
-                                  L::mask_of(static_cast<unsigned>(std::uint64_t{0xa5c3f00f12345678} >> i))}) {
+    for (const MaskOf<L>&mask : {x<y, x <= y, x> y, x >= y, x == y, x != y, (x < y) & (y < z), (x < y) | (y < z),
+                                 !(x < y), without(x < y, y < z), L::first(i < 61 ? 61 - i : 0),
+                                 L::mask_of(static_cast<unsigned>(std::uint64_t{0xa5c3f00f12345678} >> i))}) {
       put(select(mask, x, z), i);
       put(select(L::mask_of(bits(mask)), L(1.0), L(0.0)), i);
       put(select(mask, v, w).y, i);
