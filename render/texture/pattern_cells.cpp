@@ -13,7 +13,6 @@
 
 #include <algorithm>
 #include <array>
-#include <bit>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
@@ -48,9 +47,10 @@ const std::array<Vec3, kNear>& near_cells() {
   return cells;
 }
 
-/// Points of one cell and those about it.
+/// Points of one cell and those about it; behind them, up to a whole number of vectors, some that are near to nothing.
 struct NearPoints {
-  std::array<std::array<double, kNear>, 3> at;
+  static constexpr std::size_t kRoom = 88;
+  std::array<std::array<double, kRoom>, 3> at;
   Vec3 corner{0.0};
   bool is_known = false;
 };
@@ -65,31 +65,10 @@ const NearPoints& points_about(const Vec3& corner) {
     const Vec3 point = point_in_cell(corner + near_cells()[i]);
     for (std::size_t axis = 0; axis < 3; ++axis) near.at[axis][i] = point[static_cast<int>(axis)];
   }
+  for (std::array<double, NearPoints::kRoom>& axis : near.at) std::fill(axis.begin() + kNear, axis.end(), INFINITY);
   near.corner = corner;
   near.is_known = true;
   return near;
-}
-
-/// Calls visit(points, members, count) for each cell that any of the first `count` places lies in: its random points, and
-/// which of the places lie there.
-template <class Visit>
-inline void for_each_cell(const Columns3<double>& places, std::size_t count, const Visit& visit) {
-  std::array<Vec3, kRaysAtOnce> corners;
-  std::uint64_t left = count == 0 ? 0 : ~std::uint64_t{0} >> (kRaysAtOnce - count);
-  for (std::size_t i = 0; i < count; ++i) corners[i] = corner_below(places.vector(i));
-  while (left != 0) {
-    const Vec3 corner = corners[static_cast<std::size_t>(std::countr_zero(left))];
-    std::array<std::uint8_t, kRaysAtOnce> members;
-    std::size_t size = 0;
-    for (std::uint64_t rest = left; rest != 0; rest &= rest - 1) {
-      const auto i = static_cast<std::size_t>(std::countr_zero(rest));
-      // One whose corner is no number is alone.
-      if (corners[i] != corner && size != 0) continue;
-      members[size++] = static_cast<std::uint8_t>(i);
-      left &= ~(std::uint64_t{1} << i);
-    }
-    visit(points_about(corner), members, size);
-  }
 }
 
 }  // namespace
@@ -115,73 +94,107 @@ HWY_INLINE L metric_root(const L& sum, double m) {
 }
 
 template <class L>
-HWY_INLINE Vec3Of<L> near_point(const NearPoints& points, std::size_t i) {
-  return {L(points.at[0][i]), L(points.at[1][i]), L(points.at[2][i])};
-}
-/// The points of numbers i, which are whole.
-template <class L>
-HWY_INLINE Vec3Of<L> near_points(const NearPoints& points, const L& i) {
-  double number[L::kCount], x[L::kCount], y[L::kCount], z[L::kCount];
-  i.store(number);
-  for (std::size_t lane = 0; lane < L::kCount; ++lane) {
-    const auto k = static_cast<std::size_t>(number[lane]);
-    x[lane] = points.at[0][k];
-    y[lane] = points.at[1][k];
-    z[lane] = points.at[2][k];
-  }
-  return {L::load(x), L::load(y), L::load(z)};
+HWY_INLINE Vec3Of<L> near_points(const NearPoints& points, std::size_t i) {
+  return {L::load(&points.at[0][i]), L::load(&points.at[1][i]), L::load(&points.at[2][i])};
 }
 
-/// The distances to the three nearest of random points, weighted. [S. Worley 1996, "A cellular texture basis function"]
+/// The least three numbers, in order.
+struct Least {
+  double of[3];
+};
+/// Those of two times three. The third is the least of what is never below two others.
+HWY_INLINE Least least_of(const Least& a, const Least& b) {
+  const auto low = [](double x, double y) { return y < x ? y : x; };
+  const auto high = [](double x, double y) { return x < y ? y : x; };
+  return {{low(a.of[0], b.of[0]), low(high(a.of[0], b.of[0]), low(a.of[1], b.of[1])),
+           low(low(a.of[2], b.of[2]), low(high(a.of[1], b.of[0]), high(a.of[0], b.of[1])))}};
+}
+
+/// What is left of the distances from a place to its three nearest points before their root is taken. What is no number
+/// counts as far.
 template <class L>
-HWY_INLINE L crackle(const CrackleParameters& parameters, int generator, const Vec3Of<L>& p, const NearPoints& points) {
-  const double m = parameters.metric;
+HWY_INLINE Least least_sums(const Vec3& place, double metric, const NearPoints& points) {
+  const Vec3Of<L> p = everywhere<L>(place);
   L least[3] = {L(kInfinite), L(kInfinite), L(kInfinite)};
-  L nearest = 0.0;
-  for (std::size_t i = 0; i < kNear; ++i) {
-    const L sum = metric_sum(near_point<L>(points, i) - p, m);
-    if (parameters.solid) nearest = select(sum < least[0], L(static_cast<double>(i)), nearest);
-    // What is no number changes none of them.
+  for (std::size_t i = 0; i < kNear; i += L::kCount) {
+    const L sum = metric_sum(near_points<L>(points, i) - p, metric);
     least[2] = min(least[2], max(sum, least[1]));
     least[1] = min(least[1], max(sum, least[0]));
     least[0] = min(least[0], sum);
   }
-  if (parameters.solid) return noise(near_points(points, nearest), generator);
-  L more = 0.0;
-  if (parameters.offset != 0.0) {
-    const L offset = parameters.offset;
-    more = m == 2.0 ? offset * offset : m == 1.0 ? offset : power(offset, L(m));
+  double sums[3][L::kCount];
+  for (std::size_t k = 0; k < 3; ++k) least[k].store(sums[k]);
+  Least all[L::kCount];
+  for (std::size_t lane = 0; lane < L::kCount; ++lane) all[lane] = {{sums[0][lane], sums[1][lane], sums[2][lane]}};
+  for (std::size_t half = L::kCount / 2; half != 0; half /= 2) {
+    for (std::size_t lane = 0; lane < half; ++lane) all[lane] = least_of(all[lane], all[lane + half]);
   }
-  const Vec3& form = parameters.form;
-  const L sum = form.x * metric_root(least[0] + more, m) + form.y * metric_root(least[1] + more, m) +
-                form.z * metric_root(least[2] + more, m);
-  return max(min(sum, 1.0), 0.0);
+  return all[0];
 }
 
-void crackle_values(const CrackleParameters& parameters, int generator, const Columns3<double>& at, std::size_t count,
-                    Column<double>& values) {
-  for_each_cell(at, count, [&](const NearPoints& points, const auto& members, std::size_t size) HWY_ATTR {
-    Columns3<double> picked;
-    Column<double> found;
-    for (std::size_t k = 0; k < size; ++k) picked.set(k, at.vector(members[k]));
-    for (std::size_t k = 0; k < size; k += Lanes::kCount) {
-      store(crackle(parameters, generator, load3<Lanes>(picked, k), points), found, k);
-    }
-    for (std::size_t k = 0; k < size; ++k) values[members[k]] = found[k];
-  });
-}
-
-/// The number of the nearest of the points. With metric 1 the steps are not taken without their signs. [POV-Ray 3.7]
+/// The number of the nearest point, the first of several. `signed_steps`: with metric 1 steps are not taken without their
+/// signs.
 template <class L>
-HWY_INLINE L nearest_of(const Vec3Of<L>& place, double metric, const NearPoints& points) {
-  L nearest = 0.0, least = kInfinite;
-  for (std::size_t i = 0; i < kNear; ++i) {
-    const Vec3Of<L> way = near_point<L>(points, i) - place;
-    const L sum = metric == 1.0 ? way.x + way.y + way.z : metric_sum(way, metric);
-    nearest = select(sum < least, L(static_cast<double>(i)), nearest);
+HWY_INLINE std::size_t nearest_of(const Vec3& place, double metric, bool signed_steps, const NearPoints& points) {
+  const Vec3Of<L> p = everywhere<L>(place);
+  L least = kInfinite, first = 0.0;  // of each lane: where the vector begins that its least came from
+  for (std::size_t i = 0; i < kNear; i += L::kCount) {
+    const Vec3Of<L> way = near_points<L>(points, i) - p;
+    const L sum = signed_steps && metric == 1.0 ? way.x + way.y + way.z : metric_sum(way, metric);
+    first = select(sum < least, L(static_cast<double>(i)), first);
     least = min(least, sum);
   }
+  double sums[L::kCount], begins[L::kCount];
+  least.store(sums);
+  first.store(begins);
+  std::size_t best = 0, nearest = static_cast<std::size_t>(begins[0]);
+  for (std::size_t lane = 1; lane < L::kCount; ++lane) {
+    const std::size_t number = static_cast<std::size_t>(begins[lane]) + lane;
+    if (sums[lane] < sums[best] || (sums[lane] == sums[best] && sums[lane] < kInfinite && number < nearest)) {
+      best = lane;
+      nearest = number;
+    }
+  }
   return nearest;
+}
+
+Vec3 nearest_point(const Vec3& place, double metric, bool signed_steps) {
+  const NearPoints& points = points_about(corner_below(place));
+  const std::size_t i = nearest_of<Lanes>(place, metric, signed_steps, points);
+  return {points.at[0][i], points.at[1][i], points.at[2][i]};
+}
+
+/// The noise at the nearest of random points.
+void solid_crackle(const CrackleParameters& parameters, int generator, const Columns3<double>& at, std::size_t count,
+                   Column<double>& values) {
+  Columns3<double> nearest;
+  for (std::size_t i = 0; i < count; ++i) nearest.set(i, nearest_point(at.vector(i), parameters.metric, false));
+  for (std::size_t i = 0; i < count; i += Lanes::kCount) store(noise(load3<Lanes>(nearest, i), generator), values, i);
+}
+
+/// The distances to the three nearest of random points, weighted. [S. Worley 1996, "A cellular texture basis function"]
+void crackle_values(const CrackleParameters& parameters, int generator, const Columns3<double>& at, std::size_t count,
+                    Column<double>& values) {
+  if (parameters.solid) return solid_crackle(parameters, generator, at, count, values);
+  const double m = parameters.metric;
+  Columns3<double> sums;
+  for (std::size_t i = 0; i < count; ++i) {
+    const Vec3 place = at.vector(i);
+    const Least least = least_sums<Lanes>(place, m, points_about(corner_below(place)));
+    sums.set(i, Vec3(least.of[0], least.of[1], least.of[2]));
+  }
+  Lanes more = 0.0;
+  if (parameters.offset != 0.0) {
+    const Lanes offset = parameters.offset;
+    more = m == 2.0 ? offset * offset : m == 1.0 ? offset : power(offset, Lanes(m));
+  }
+  const Vec3& form = parameters.form;
+  for (std::size_t i = 0; i < count; i += Lanes::kCount) {
+    const Vec3Of<Lanes> least = load3<Lanes>(sums, i);
+    const Lanes sum = form.x * metric_root(least.x + more, m) + form.y * metric_root(least.y + more, m) +
+                      form.z * metric_root(least.z + more, m);
+    store(max(min(sum, 1.0), 0.0), values, i);
+  }
 }
 
 template <class L>
@@ -191,32 +204,27 @@ HWY_INLINE Vec3Of<L> unit_or_0(const Vec3Of<L>& v) {
   return select(size != 0.0, v / size, zero);
 }
 
+/// To the nearest of random points; with `coords` by the noise there.
 void facet_tilts(const FacetsParameters& parameters, const Columns3<double>& at, std::size_t count,
                  Columns3<double>& normals) {
   constexpr double kSmallest = 1e-6;
   const double scale = parameters.size < kSmallest ? 1.0 / kSmallest : 1.0 / parameters.size;
-  Columns3<double> places;
+  const bool by_place = parameters.coords != 0.0;
+  Columns3<double> facets;
   for (std::size_t i = 0; i < count; i += Lanes::kCount) {
     const Vec3Of<Lanes> normal = unit_or_0(load3<Lanes>(normals, i));
     store3(normal, normals, i);
-    store3((parameters.coords != 0.0 ? load3<Lanes>(at, i) : normal) * Lanes(scale), places, i);
+    store3((by_place ? load3<Lanes>(at, i) : normal) * Lanes(scale), facets, i);
   }
-  for_each_cell(places, count, [&](const NearPoints& points, const auto& members, std::size_t size) HWY_ATTR {
-    Columns3<double> picked, found, picked_normals;
-    for (std::size_t k = 0; k < size; ++k) {
-      picked.set(k, places.vector(members[k]));
-      picked_normals.set(k, normals.vector(members[k]));
+  for (std::size_t i = 0; i < count; ++i) facets.set(i, nearest_point(facets.vector(i), parameters.metric, true));
+  for (std::size_t i = 0; i < count; i += Lanes::kCount) {
+    Vec3Of<Lanes> facet = load3<Lanes>(facets, i);
+    if (by_place) {
+      const Vec3Of<Lanes> normal = load3<Lanes>(normals, i), shove = dnoise(facet);
+      facet = normal + (shove - normal * dot(shove, normal)) * Lanes(parameters.coords);
     }
-    for (std::size_t k = 0; k < size; k += Lanes::kCount) {
-      Vec3Of<Lanes> facet = near_points(points, nearest_of(load3<Lanes>(picked, k), parameters.metric, points));
-      if (parameters.coords != 0.0) {
-        const Vec3Of<Lanes> normal = load3<Lanes>(picked_normals, k), shove = dnoise(facet);
-        facet = normal + (shove - normal * dot(shove, normal)) * Lanes(parameters.coords);
-      }
-      store3(facet, found, k);
-    }
-    for (std::size_t k = 0; k < size; ++k) normals.set(members[k], found.vector(k));
-  });
+    store3(facet, normals, i);
+  }
 }
 
 }  // namespace HWY_NAMESPACE
