@@ -1,5 +1,6 @@
 #include "parser/statement/parse_common.h"
 #include "parser/statement/parse_surface.h"
+#include "render/math/single.h"
 
 #include <algorithm>
 
@@ -19,7 +20,7 @@ bool same(const ColorMapEntry& a, const ColorMapEntry& b) {
 }
 
 /// Positions have the precision of a float, as in POV-Ray.
-double position(double value) { return static_cast<double>(static_cast<float>(value)); }
+double position(double value) { return render::in_single(value); }
 
 FilteredColor color_of(const Numbers& numbers) {
   const auto part = [&](int i) { return static_cast<float>(numbers.values[i]); };

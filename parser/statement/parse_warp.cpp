@@ -1,6 +1,7 @@
 #include "parser/statement/parse_warp.h"
 
 #include "parser/statement/parse_common.h"
+#include "render/math/single.h"
 
 #include <algorithm>
 #include <cmath>
@@ -10,6 +11,7 @@ namespace firstlight::parser {
 
 using render::BlackHoleWarp;
 using render::Feature;
+using render::in_single;
 using render::RepeatWarp;
 using render::Turbulence;
 using render::Vec3;
@@ -17,16 +19,13 @@ using render::Warps;
 
 namespace {
 
-/// POV-Ray keeps these numbers in single precision.
-double single(double value) { return static_cast<double>(static_cast<float>(value)); }
-
 bool accept_detail(Reader& reader, Turbulence& turbulence) {
   if (reader.accept(Keyword::octaves)) {
     turbulence.octaves = integer(reader, "octaves", 1, 10);
   } else if (reader.accept(Keyword::omega)) {
-    turbulence.omega = single(finite_number(reader, "omega"));
+    turbulence.omega = in_single(finite_number(reader, "omega"));
   } else if (reader.accept(Keyword::lambda)) {
-    turbulence.lambda = single(finite_number(reader, "lambda"));
+    turbulence.lambda = in_single(finite_number(reader, "lambda"));
   } else {
     return false;
   }
@@ -87,7 +86,7 @@ RepeatWarp parse_repeat(Reader& reader) {
   if (is_axis(0) + is_axis(1) + is_axis(2) != 1) reader.fail(at, "'repeat' goes along one axis, x, y or z");
   RepeatWarp warp;
   warp.axis = is_axis(0) ? 0 : is_axis(1) ? 1 : 2;
-  warp.width = single(width[warp.axis]);
+  warp.width = in_single(width[warp.axis]);
   for (;;) {
     if (reader.accept(Keyword::offset)) {
       warp.offset = finite_vector(reader, "offset");

@@ -1,6 +1,7 @@
 // Noise and the fractals made of it.
 // Source   The formulas as POV-Ray 3.7 evaluates them; multifractals by F. K. Musgrave.
 #include "render/function/internal.h"
+#include "render/lanes/math.h"
 #include "render/math/noise.h"
 
 #include <algorithm>
@@ -27,7 +28,7 @@ double hetero_mf(const double* p, const Evaluation&) {
   const double* own = p + 3;
   const int generator = generator_of(own[5]);
   const double octaves = std::min(own[2], kMostOctaves);
-  const double fading = std::pow(own[1], -own[0]);
+  const double fading = steady::power(own[1], -own[0]);
   Vec3 point = point_of(p);
   double signal = signed_noise(point, generator) + own[3];
   point *= own[1];
@@ -87,7 +88,7 @@ class OctavePowers {
   OctavePowers(double h, double lacunarity) : h_(h), lacunarity_(lacunarity) {
     double frequency = 1.0;
     for (double& power : powers_) {
-      power = std::pow(frequency, -h);
+      power = steady::power(frequency, -h);
       frequency *= lacunarity;
     }
   }
@@ -114,7 +115,7 @@ double ridged_mf(const double* p, const Evaluation&) {
     const double weight = std::clamp(signal * own[4], 0.0, 1.0);
     signal = crest(point) * weight;
     const bool is_kept = i < OctavePowers::kKept;
-    result += signal * (is_kept ? powers[static_cast<std::size_t>(i)] : std::pow(frequency, -own[0]));
+    result += signal * (is_kept ? powers[static_cast<std::size_t>(i)] : steady::power(frequency, -own[0]));
   }
   return result;
 }

@@ -2,6 +2,7 @@
 // same for all of them: whether to turn, the offset from the axis, and the angle of the curve.
 // Source   The formulas as POV-Ray 3.7 evaluates them; the order of operations is its own, for rounding.
 #include "render/function/internal.h"
+#include "render/lanes/math.h"
 
 #include <algorithm>
 #include <cmath>
@@ -22,8 +23,8 @@ struct Place {
     const double angle = turn[2] * (std::numbers::pi / 180.0);
     x = from_axis;
     if (angle != 0) {
-      x = from_axis * std::cos(angle) - y * std::sin(angle);
-      y = from_axis * std::sin(angle) + y * std::cos(angle);
+      x = from_axis * steady::cosine(angle) - y * steady::sine(angle);
+      y = from_axis * steady::sine(angle) + y * steady::cosine(angle);
     }
     x2 = x * x;
     y2 = y * y;

@@ -1,6 +1,7 @@
 // Shapes made of distances, exponentials and angles.
 // Source   The formulas as POV-Ray 3.7 evaluates them; the order of operations is its own, for rounding.
 #include "render/function/internal.h"
+#include "render/lanes/math.h"
 
 #include <algorithm>
 #include <cmath>
@@ -40,16 +41,17 @@ double blob(const double* p, const Evaluation&) {
 double blob2(const double* p, const Evaluation&) {
   const double* own = p + 3;
   const double x2 = p[0] * p[0], y2 = p[1] * p[1], z2 = p[2] * p[2];
-  const double sum = std::exp(-(x2 + y2 + z2) * own[1]) + std::exp(-(square(p[0] - own[0]) + y2 + z2) * own[1]);
+  const double sum =
+      steady::exponential(-(x2 + y2 + z2) * own[1]) + steady::exponential(-(square(p[0] - own[0]) + y2 + z2) * own[1]);
   return own[3] - sum * own[2];
 }
 
 double comma(const double* p, const Evaluation&) {
   const double size = p[3];
   const double x = p[0] == 0 && p[2] == 0 ? 0.0001 : p[0], y = p[1], z = p[2];
-  const double angle = std::atan2(z, x);
+  const double angle = steady::arc_tangent(z, x);
   const double around = length_of(x + size * 0.25, z);
-  const double tail = std::cos(angle * 0.5) * size * 0.5 - length_of(around - size * 0.75, y);
+  const double tail = steady::cosine(angle * 0.5) * size * 0.5 - length_of(around - size * 0.75, y);
   const double head = size * 0.5 - std::sqrt(square(x - size * 0.5) + z * z + y * y);
   return -std::max(std::min(z, tail), head);
 }
@@ -59,9 +61,9 @@ struct Ellipsoids {
   double along_z, along_y, along_x;
   explicit Ellipsoids(const double* p) {
     const double x2 = p[0] * p[0], y2 = p[1] * p[1], z2 = p[2] * p[2], e = p[3], inverse = p[4];
-    along_z = std::exp(-(x2 * e + y2 * e + z2) * inverse);
-    along_y = std::exp(-(x2 * e + y2 + z2 * e) * inverse);
-    along_x = std::exp(-(x2 + y2 * e + z2 * e) * inverse);
+    along_z = steady::exponential(-(x2 * e + y2 * e + z2) * inverse);
+    along_y = steady::exponential(-(x2 * e + y2 + z2 * e) * inverse);
+    along_x = steady::exponential(-(x2 + y2 * e + z2 * e) * inverse);
   }
 };
 
@@ -83,14 +85,14 @@ double flange_cover(const double* p, const Evaluation&) {
 double spikes(const double* p, const Evaluation&) {
   const double* own = p + 3;
   const Ellipsoids e(p);
-  const double ball = std::exp(-(p[0] * p[0] + p[1] * p[1] + p[2] * p[2]) * own[3]) * own[4];
+  const double ball = steady::exponential(-(p[0] * p[0] + p[1] * p[1] + p[2] * p[2]) * own[3]) * own[4];
   return -(ball - e.along_z - e.along_y - e.along_x) * own[2];
 }
 
 double spikes_2d(const double* p, const Evaluation&) {
   const double* own = p + 3;
-  return -(own[0] * std::cos(own[1] * p[0]) * std::cos(own[2] * p[2]) *
-               std::exp(-own[3] * (p[0] * p[0] + p[2] * p[2])) -
+  return -(own[0] * steady::cosine(own[1] * p[0]) * steady::cosine(own[2] * p[2]) *
+               steady::exponential(-own[3] * (p[0] * p[0] + p[2] * p[2])) -
            p[1]);
 }
 
@@ -105,11 +107,11 @@ double helical_torus(const double* p, const Evaluation&) {
   const double* own = p + 3;
   const double around = length_of(p[0], p[2]);
   const double x = p[0] == 0 && p[2] == 0 ? kBesideAxis : p[0];
-  const double angle = std::atan2(x, p[2]);
+  const double angle = steady::arc_tangent(x, p[2]);
   const double from_ring = length_of(around - own[0], p[1]);
-  const double winding = wrap(angle * own[1] + std::atan2(around - own[0], p[1]) * own[2], kTurn) - kPi;
-  const double groove_angle = std::atan2(winding * own[8], from_ring - own[5]);
-  const double groove = std::cos(groove_angle * own[7] + angle * own[9]) * own[3] + own[4];
+  const double winding = wrap(angle * own[1] + steady::arc_tangent(around - own[0], p[1]) * own[2], kTurn) - kPi;
+  const double groove_angle = steady::arc_tangent(winding * own[8], from_ring - own[5]);
+  const double groove = steady::cosine(groove_angle * own[7] + angle * own[9]) * own[3] + own[4];
   const double tube =
       groove - std::min(std::sqrt(square(from_ring - own[5]) + winding * winding * own[6]), from_ring + own[5]);
   return -std::max(own[4] + own[5] - own[0] - around, tube);
@@ -120,7 +122,7 @@ double cross_section(double x, double z, double kind) {
   if (kind == 1) return length_of(x, z);
   if (kind == 0) return std::max(std::abs(x), std::abs(z));
   const double power = 2.0 / kind;
-  return std::pow(std::pow(std::abs(x), power) + std::pow(std::abs(z), power), kind * 0.5);
+  return steady::power(steady::power(std::abs(x), power) + steady::power(std::abs(z), power), kind * 0.5);
 }
 
 // Parameters: number of tubes, period, minor and major radius, shape, cross section and its angle.
@@ -128,11 +130,11 @@ double helix1(const double* p, const Evaluation&) {
   const double* own = p + 3;
   const double around = length_of(p[0], p[2]);
   const double x_or_beside = p[0] == 0 && p[2] == 0 ? kBesideAxis : p[0];
-  const double angle = wrap(std::atan2(p[2], x_or_beside) * own[0] + p[1] * own[1] * own[0], kTurn);
+  const double angle = wrap(steady::arc_tangent(p[2], x_or_beside) * own[0] + p[1] * own[1] * own[0], kTurn);
   double z = (angle - kPi) / own[4] / (own[1] * own[0]);
   double x = around - own[3];
   if (own[5] != 1 && own[6] != 0) {
-    const double cosine = std::cos(radians(own[6])), sine = std::sin(radians(own[6]));
+    const double cosine = steady::cosine(radians(own[6])), sine = steady::sine(radians(own[6]));
     const double turned = x * cosine - z * sine;
     z = x * sine + z * cosine;
     x = turned;
@@ -142,7 +144,7 @@ double helix1(const double* p, const Evaluation&) {
 
 double helix2(const double* p, const Evaluation&) {
   const double* own = p + 3;
-  const double cosine = std::cos(p[1] * own[1]), sine = std::sin(p[1] * own[1]);
+  const double cosine = steady::cosine(p[1] * own[1]), sine = steady::sine(p[1] * own[1]);
   const double x = p[0] - own[3] * cosine, z = p[2] - own[3] * sine;
   return cross_section(x * cosine + z * sine, -x * sine + z * cosine, own[5]) - own[2];
 }
@@ -160,18 +162,18 @@ struct Hexagon {
       x = other_x;
       y = other_y;
     }
-    near_x = std::atan2(y, x) < kPi / 6;
+    near_x = steady::arc_tangent(y, x) < kPi / 6;
   }
 };
 
 double hex_x(const double* p, const Evaluation&) {
   const Hexagon h(p);
-  return h.near_x ? h.x : std::cos(kPi / 3) * h.x + std::sin(kPi / 3) * h.y;
+  return h.near_x ? h.x : steady::cosine(kPi / 3) * h.x + steady::sine(kPi / 3) * h.y;
 }
 
 double hex_y(const double* p, const Evaluation&) {
   const Hexagon h(p);
-  return h.near_x ? h.y : std::abs(-std::sin(kPi / 3) * h.x + std::cos(kPi / 3) * h.y);
+  return h.near_x ? h.y : std::abs(-steady::sine(kPi / 3) * h.x + steady::cosine(kPi / 3) * h.y);
 }
 
 // Woven threads. Parameters: distances along x and z, thickness, amplitude, thickness along y.
@@ -182,15 +184,16 @@ double mesh1(const double* p, const Evaluation&) {
     const double aside = std::abs(wrap(across, distance * 2) - distance) * own[2];
     return -length_of((y + wave) * own[4], aside);
   };
-  const double wave_z = std::cos(z * (kPi / own[1])) * own[3], wave_x = std::cos(x * (kPi / own[0])) * own[3];
+  const double wave_z = steady::cosine(z * (kPi / own[1])) * own[3],
+               wave_x = steady::cosine(x * (kPi / own[0])) * own[3];
   double nearest = thread(x, own[0], -wave_z);
   nearest = std::max(thread(x - own[0], own[0], wave_z), nearest);
   nearest = std::max(thread(z, own[1], wave_x), nearest);
   return -std::max(thread(z - own[1], own[1], -wave_x), nearest);
 }
 
-double ph(const double* p, const Evaluation&) { return std::atan2(length_of(p[0], p[2]), p[1]); }
-double th(const double* p, const Evaluation&) { return std::atan2(p[0], p[2]); }
+double ph(const double* p, const Evaluation&) { return steady::arc_tangent(length_of(p[0], p[2]), p[1]); }
+double th(const double* p, const Evaluation&) { return steady::arc_tangent(p[0], p[2]); }
 double r(const double* p, const Evaluation&) { return length_of(p[0], p[1], p[2]); }
 
 // A radius that is a polynomial of y.
@@ -210,7 +213,8 @@ double polytubes(const double* p, const Evaluation&) {
   double nearest = -10000;
   const int tubes = own[0] > 0.0 ? static_cast<int>(std::min(own[0], kMostTubes)) : 0;
   for (int i = 0; i < tubes; ++i) {
-    const double x = p[0] - away * std::sin(2 * kPi / own[0] * i), z = p[2] - away * std::cos(2 * kPi / own[0] * i);
+    const double x = p[0] - away * steady::sine(2 * kPi / own[0] * i),
+                 z = p[2] - away * steady::cosine(2 * kPi / own[0] * i);
     nearest = std::max(nearest, -length_of(x, z));
   }
   return -nearest;
@@ -219,9 +223,9 @@ double polytubes(const double* p, const Evaluation&) {
 double quantum(const double* p, const Evaluation&) {
   const double x = p[0] == 0 && p[2] == 0 ? 1e-6 : p[0];
   const double around = length_of(x, p[2]);
-  const double cosine = std::cos(std::atan2(around, p[1]));
+  const double cosine = steady::cosine(steady::arc_tangent(around, p[1]));
   const double distance = length_of(around, p[1]) * 2.0;
-  const double wave = distance * distance * std::exp(-distance * 0.33333333) * (3.0 * cosine * cosine - 1);
+  const double wave = distance * distance * steady::exponential(-distance * 0.33333333) * (3.0 * cosine * cosine - 1);
   return (wave * wave - 12.0) * (-0.1);
 }
 
@@ -242,14 +246,14 @@ double sphere(const double* p, const Evaluation&) { return -p[3] + length_of(p[0
 double spiral(const double* p, const Evaluation&) {
   const double* own = p + 3;
   const double x = p[0] == 0 && p[2] == 0 ? kBesideAxis : p[0], y = p[1];
-  const double along = length_of(p[0], p[2]) + own[0] * std::atan2(p[2], x) / kTurn;
+  const double along = length_of(p[0], p[2]) + own[0] * steady::arc_tangent(p[2], x) / kTurn;
   const double across = std::fmod(along, own[0]) - own[0] * 0.5;
   double tube = 0.0;
   if (own[5] == 1) {
     tube = length_of(across, y);
   } else if (own[5] != 0) {
     const double power = 2 / own[5];
-    tube = std::pow(std::pow(std::abs(across), power) + std::pow(std::abs(y), power), 1.0 / power);
+    tube = steady::power(steady::power(std::abs(across), power) + steady::power(std::abs(y), power), 1.0 / power);
   } else {
     tube = std::max(std::abs(across), std::abs(y));
   }
@@ -259,8 +263,9 @@ double spiral(const double* p, const Evaluation&) {
 
 double superellipsoid(const double* p, const Evaluation&) {
   const double east = p[3], north = p[4], power = 2 / east, inverse = 1 / north;
-  const double round = std::pow(std::pow(std::abs(p[0]), power) + std::pow(std::abs(p[1]), power), east * inverse);
-  return 1 - std::pow(round + std::pow(std::abs(p[2]), 2 * inverse), north * 0.5);
+  const double round =
+      steady::power(steady::power(std::abs(p[0]), power) + steady::power(std::abs(p[1]), power), east * inverse);
+  return 1 - steady::power(round + steady::power(std::abs(p[2]), 2 * inverse), north * 0.5);
 }
 
 double torus(const double* p, const Evaluation&) { return -p[4] + length_of(length_of(p[0], p[2]) - p[3], p[1]); }

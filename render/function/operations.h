@@ -3,6 +3,7 @@
 // The meaning of each operation, once for a single value and for rows of them.
 
 #include "render/function/instruction.h"
+#include "render/lanes/math.h"
 
 #include <algorithm>
 #include <climits>
@@ -61,45 +62,45 @@ inline void with_one(const Instruction& instruction, Use use) {
     case Operation::absolute:
       return use([](double x) { return std::abs(x); });
     case Operation::arc_cosine:
-      return use([](double x) { return std::acos(x); });
+      return use([](double x) { return steady::arc_cosine(x); });
     case Operation::hyperbolic_arc_cosine:
-      return use([](double x) { return std::acosh(x); });
+      return use([](double x) { return steady::hyperbolic_arc_cosine(x); });
     case Operation::arc_sine:
-      return use([](double x) { return std::asin(x); });
+      return use([](double x) { return steady::arc_sine(x); });
     case Operation::hyperbolic_arc_sine:
-      return use([](double x) { return std::asinh(x); });
+      return use([](double x) { return steady::hyperbolic_arc_sine(x); });
     case Operation::arc_tangent:
-      return use([](double x) { return std::atan(x); });
+      return use([](double x) { return steady::arc_tangent(x); });
     case Operation::hyperbolic_arc_tangent:
-      return use([](double x) { return std::atanh(x); });
+      return use([](double x) { return steady::hyperbolic_arc_tangent(x); });
     case Operation::ceiling:
       return use([](double x) { return std::ceil(x); });
     case Operation::cosine:
-      return use([](double x) { return std::cos(x); });
+      return use([](double x) { return steady::cosine(x); });
     case Operation::hyperbolic_cosine:
-      return use([](double x) { return std::cosh(x); });
+      return use([](double x) { return steady::hyperbolic_cosine(x); });
     case Operation::exponential:
-      return use([](double x) { return std::exp(x); });
+      return use([](double x) { return steady::exponential(x); });
     case Operation::floor:
       return use([](double x) { return std::floor(x); });
     case Operation::integer:
       return use(cut_to_integer);
     case Operation::natural_logarithm:
-      return use([](double x) { return std::log(x); });
+      return use([](double x) { return steady::logarithm(x); });
     case Operation::logarithm:
-      return use([](double x) { return std::log10(x); });
+      return use([](double x) { return steady::decimal_logarithm(x); });
     case Operation::sine:
-      return use([](double x) { return std::sin(x); });
+      return use([](double x) { return steady::sine(x); });
     case Operation::hyperbolic_sine:
-      return use([](double x) { return std::sinh(x); });
+      return use([](double x) { return steady::hyperbolic_sine(x); });
     case Operation::square:
       return use([](double x) { return x * x; });
     case Operation::square_root:
       return use([](double x) { return std::sqrt(x); });
     case Operation::tangent:
-      return use([](double x) { return std::tan(x); });
+      return use([](double x) { return steady::tangent(x); });
     case Operation::hyperbolic_tangent:
-      return use([](double x) { return std::tanh(x); });
+      return use([](double x) { return steady::hyperbolic_tangent(x); });
     default:
       return;
   }
@@ -118,9 +119,9 @@ inline void with_two(Operation operation, Use use) {
     case Operation::divide:
       return use([](double x, double y) { return x / y; });
     case Operation::power:
-      return use([](double x, double y) { return std::pow(x, y); });
+      return use([](double x, double y) { return steady::power(x, y); });
     case Operation::arc_tangent_of_two:
-      return use([](double x, double y) { return std::atan2(x, y); });
+      return use([](double x, double y) { return steady::arc_tangent(x, y); });
     case Operation::remainder:
       return use([](double x, double y) { return std::fmod(x, y); });
     case Operation::integer_quotient:

@@ -1,5 +1,6 @@
 #include "render/function/program.h"
 
+#include "render/function/elementary.h"
 #include "render/function/operations.h"
 
 #include <algorithm>
@@ -209,6 +210,7 @@ void Program::evaluate_many(const double* const* arguments, double* const* resul
       const auto each = [&](auto value) {
         for (std::size_t i = 0; i < count; ++i) a[i] = value(i);
       };
+      if (evaluate_elementary(instruction.operation, a.data(), further->data(), count)) continue;
       if (taken == 1) {
         with_one(instruction, [&](auto f) { each([&](std::size_t i) { return f(a[i]); }); });
       } else if (taken == 2) {

@@ -1,8 +1,8 @@
 // The elementary functions over a lane type. Included once for each instruction set, so the guard switches back and forth.
 //
-// Those of the machine's library round their last digit as its processor allows; these have the same bits everywhere,
-// within some 1e-15 of the exact value: two or three units of the last place. Special cases (zeros, infinite numbers,
-// what is no number) are those of <cmath>.
+// Those of the machine's library round their last digit as its processor allows; these have the same bits everywhere, and
+// err by 2e-16 of the value at most (powers with large exponents by 1e-15), so that they mostly are the double that is
+// nearest to it. Special cases (zeros, infinite numbers, what is no number) are those of <cmath>.
 // Source   W. J. Cody & W. Waite, "Software manual for the elementary functions", 1980. Polynomials are Chebyshev
 //          interpolations of what is left of each function behind its first terms.
 #if defined(FIRSTLIGHT_RENDER_LANES_MATH_INL_H) == defined(HWY_TARGET_TOGGLE)
@@ -68,6 +68,29 @@ HWY_INLINE L scaled(const L& x, const L& n) {
   return x * two_to(half) * two_to(n - half);
 }
 
+/// A sum of two numbers, of which the second is below the last digit of the first.
+template <class L>
+struct Exact {
+  L high, low;
+};
+constexpr std::int64_t kUpperHalf = ~std::int64_t{0x7ffffff};
+
+/// The product without any rounding.
+template <class L>
+HWY_INLINE Exact<L> exact_product(const L& a, const L& b) {
+  const L a1 = and_bits(a, kUpperHalf), b1 = and_bits(b, kUpperHalf);
+  const L a2 = a - a1, b2 = b - b1;
+  const L product = a * b;
+  return {product, ((a1 * b1 - product) + a1 * b2 + a2 * b1) + a2 * b2};
+}
+
+/// a + b without any rounding, where |a| >= |b| or a is 0.
+template <class L>
+HWY_INLINE Exact<L> exact_sum(const L& a, const L& b) {
+  const L sum = a + b;
+  return {sum, (a - sum) + b};
+}
+
 /// e^(big + small) for |big| up to ln(2)/2 and a much smaller number, from 1/sqrt(2) to sqrt(2).
 template <class L>
 HWY_INLINE L exponential_near_0(const L& big, const L& small) {
@@ -84,7 +107,8 @@ HWY_INLINE L exponential_near_0(const L& big, const L& small) {
                                        2.0918212319133980235e-9,
                                        1.6086677666787362312e-10};
   const L r = big + small;
-  return 1.0 + (big + (small + r * r * series(r, kSeries)));
+  const Exact<L> sum = exact_sum(L(1.0), big);
+  return sum.high + (sum.low + (small + r * r * series(r, kSeries)));
 }
 
 /// e^x.
@@ -142,22 +166,6 @@ HWY_INLINE L logarithm(const L& x) {
   return select(is_plain, result, special);
 }
 
-/// A sum of two numbers, of which the second is below the last digit of the first.
-template <class L>
-struct Exact {
-  L high, low;
-};
-constexpr std::int64_t kUpperHalf = ~std::int64_t{0x7ffffff};
-
-/// The product without any rounding.
-template <class L>
-HWY_INLINE Exact<L> exact_product(const L& a, const L& b) {
-  const L a1 = and_bits(a, kUpperHalf), b1 = and_bits(b, kUpperHalf);
-  const L a2 = a - a1, b2 = b - b1;
-  const L product = a * b;
-  return {product, ((a1 * b1 - product) + a1 * b2 + a2 * b1) + a2 * b2};
-}
-
 /// Logarithm to base 2 in some twenty digits. Pre: x is positive and finite.
 template <class L>
 HWY_INLINE Exact<L> exact_log2(const L& x) {
@@ -181,7 +189,7 @@ HWY_INLINE Exact<L> exact_log2(const L& x) {
 /// x^y.
 template <class L>
 HWY_INLINE L power(const L& x, const L& y) {
-  constexpr double kLn2 = 0x1.62e42fefa39efp-1;
+  constexpr double kLn2 = 0x1.62e42fefa39efp-1, kLn2Low = 0x1.abc9e3b39803fp-56;
   constexpr double kSteepest = 1e25;  // more, and all powers are 0, 1 or infinite
   constexpr double kAllWhole = 0x1p53;
   const L size = abs(x);
@@ -193,7 +201,9 @@ HWY_INLINE L power(const L& x, const L& y) {
   const L exponent = clamp(product.high, -1100.0, 1100.0);
   const L rest = select(is_within, product.low + log2.low * steepness, L(0.0));
   const L n = nearest_whole(exponent);
-  L result = scaled(exponential_near_0((exponent - n) * kLn2, rest * kLn2), n);
+  const Exact<L> natural = exact_product(exponent - n, L(kLn2));
+  const L small = natural.low + ((exponent - n) * kLn2Low + rest * kLn2);
+  L result = scaled(exponential_near_0(natural.high, small), n);
   result = select(is_plain, result, select(y > 0.0, size, 1.0 / size));
   // Powers of negative numbers: of whole ones only, and odd ones are negative.
   const L half = y * 0.5;
@@ -206,10 +216,18 @@ HWY_INLINE L power(const L& x, const L& y) {
   return select((y == 0.0) | (x == 1.0) | ((x == -1.0) & (abs(y) == kInfinite)), L(1.0), result);
 }
 
-/// An angle less the nearest quarter turn, and the number of these in the low bits of `turns`.
+/// What numerator / denominator lacks, rounded to `quotient`.
+template <class L>
+HWY_INLINE L lost_in_quotient(const Exact<L>& numerator, const Exact<L>& denominator, const L& quotient) {
+  const Exact<L> product = exact_product(quotient, denominator.high);
+  return (((numerator.high - product.high) - product.low) + (numerator.low - quotient * denominator.low)) /
+         denominator.high;
+}
+
+/// An angle less the nearest quarter turn, in two parts, and the number of these in the low bits of `turns`.
 template <class L>
 struct Angle {
-  L rest, turns;
+  L rest, low, turns;
 };
 template <class L>
 HWY_INLINE Angle<L> angle_of(const L& x) {
@@ -219,31 +237,38 @@ HWY_INLINE Angle<L> angle_of(const L& x) {
   constexpr double kMost = 1e6;
   L turns = x * kTwoOverPi + kWholeInBits;
   const L n = turns - kWholeInBits;
-  L rest = ((x - n * kFirst) - n * kSecond) - n * kThird;
+  const Exact<L> near = exact_sum(x - n * kFirst, -(n * kSecond));
+  const Exact<L> sum = exact_sum(near.high, near.low - n * kThird);
+  L rest = select(n == 0.0, x, sum.high), low = select(n == 0.0, L(0.0), sum.low);
   const MaskOf<L> is_far = !(abs(x) <= kMost);
   if (any(is_far)) {
     turns = one_by_one(is_far, select(is_far, x, turns),
                        [](double far) { return quarter_turns(far).count + kWholeInBits; });
     rest = one_by_one(is_far, select(is_far, x, rest), [](double far) { return quarter_turns(far).rest; });
+    low = one_by_one(is_far, select(is_far, x, low), [](double far) { return quarter_turns(far).low; });
   }
-  return {rest, turns};
+  return {rest, low, turns};
 }
+
 /// Sine and cosine of what is at most an eighth of a turn.
 template <class L>
-HWY_INLINE L sine_near_0(const L& x) {
+HWY_INLINE Exact<L> sine_near_0(const Angle<L>& angle) {
   static constexpr double kSeries[] = {-0.16666666666666665741,   0.008333333333333331483,   -0.00019841269841265016553,
                                        2.7557319219301918897e-6,  -2.5052106219521894941e-8, 1.6058529572267876551e-10,
                                        -7.5865765881710725068e-13};
-  const L t = x * x;
-  return select(t == 0.0, x, x + x * t * series(t, kSeries));
+  const L x = angle.rest, t = x * x;
+  const L more = x * t * series(t, kSeries) + angle.low * (1.0 - 0.5 * t);
+  const Exact<L> sum = exact_sum(x, more);
+  return {select(t == 0.0, x, sum.high), sum.low};
 }
 template <class L>
-HWY_INLINE L cosine_near_0(const L& x) {
+HWY_INLINE Exact<L> cosine_near_0(const Angle<L>& angle) {
   static constexpr double kSeries[] = {0.041666666666666664354,  -0.0013888888888888887251, 0.000024801587301584618165,
                                        -2.755731922138211429e-7, 2.0876755783894037937e-9,  -1.14704597496756069e-11,
                                        4.7458048897606742665e-14};
-  const L t = x * x;
-  return 1.0 - (0.5 * t - t * t * series(t, kSeries));
+  const L x = angle.rest, t = x * x;
+  const Exact<L> large = exact_sum(L(1.0), -0.5 * t);
+  return exact_sum(large.high, large.low + (t * t * series(t, kSeries) - x * angle.low));
 }
 /// Whether bit kBit of `turns` is set.
 template <int kBit, class L>
@@ -255,7 +280,7 @@ HWY_INLINE MaskOf<L> turns_have(const L& turns) {
 template <class L>
 HWY_INLINE L sine_of(const Angle<L>& angle, double farther) {
   const L turns = angle.turns + farther;
-  const L value = select(turns_have<0>(turns), cosine_near_0(angle.rest), sine_near_0(angle.rest));
+  const L value = select(turns_have<0>(turns), cosine_near_0(angle).high, sine_near_0(angle).high);
   return select(turns_have<1>(turns), -value, value);
 }
 
@@ -270,17 +295,20 @@ HWY_INLINE L cosine(const L& x) {
 template <class L>
 HWY_INLINE L tangent(const L& x) {
   const Angle<L> angle = angle_of(x);
-  const L sine = sine_near_0(angle.rest), cosine = cosine_near_0(angle.rest);
+  const Exact<L> sine = sine_near_0(angle), cosine = cosine_near_0(angle);
   const MaskOf<L> is_turned = turns_have<0>(angle.turns);
-  return select(is_turned, -cosine, sine) / select(is_turned, sine, cosine);
+  const Exact<L> above = {select(is_turned, -cosine.high, sine.high), select(is_turned, -cosine.low, sine.low)};
+  const Exact<L> below = {select(is_turned, sine.high, cosine.high), select(is_turned, sine.low, cosine.low)};
+  const L quotient = above.high / below.high;
+  return select(abs(quotient) > 1e-300, quotient + lost_in_quotient(above, below, quotient), quotient);
 }
 
 constexpr double kPiHigh = 0x1.921fb54442d18p+1, kPiLow = 0x1.1a62633145c07p-53;
 
-/// The arc sine of x up to 1/2, and of sqrt((1 - |x|) / 2) beyond, which is half the angle to a quarter turn.
+/// The arc sine of |x| up to 1/2, and of sqrt((1 - |x|) / 2) beyond, which is half the angle to a quarter turn.
 template <class L>
 struct ArcSine {
-  L value;
+  L large, more;  ///< its parts; the first is exact in 26 bits where x is not small
   MaskOf<L> is_small;
 };
 template <class L>
@@ -293,21 +321,25 @@ HWY_INLINE ArcSine<L> arc_sine_parts(const L& x) {
   const L size = abs(x);
   const MaskOf<L> is_small = size < 0.5;
   const L t = select(is_small, size * size, (1.0 - size) * 0.5);
-  const L s = select(is_small, size, sqrt(t));
-  return {s + s * t * series(t, kSeries), is_small};
+  const L root = select(is_small, size, sqrt(t));
+  const L upper = select(is_small, size, and_bits(root, kUpperHalf));
+  const L cut_off = select(is_small | (t == 0.0), L(0.0), (t - upper * upper) / (root + upper));
+  return {upper, cut_off + root * t * series(t, kSeries), is_small};
 }
 template <class L>
 HWY_INLINE L arc_sine(const L& x) {
-  const auto [value, is_small] = arc_sine_parts(x);
-  return copysign(select(is_small, value, 0.5 * kPiHigh - (2.0 * value - 0.5 * kPiLow)), x);
+  const auto [large, more, is_small] = arc_sine_parts(x);
+  const L far = 0.25 * kPiHigh - ((2.0 * more - 0.5 * kPiLow) - (0.25 * kPiHigh - 2.0 * large));
+  return copysign(select(is_small, large + more, far), x);
 }
 template <class L>
 HWY_INLINE L arc_cosine(const L& x) {
-  const auto [value, is_small] = arc_sine_parts(x);
+  const auto [large, more, is_small] = arc_sine_parts(x);
   const MaskOf<L> is_negative = x < 0.0;
-  const L near = 0.5 * kPiHigh - (select(is_negative, -value, value) - 0.5 * kPiLow);
-  const L twice = 2.0 * value;
-  return select(is_small, near, select(is_negative, kPiHigh - (twice - kPiLow), twice));
+  const L near =
+      0.5 * kPiHigh - (select(is_negative, -large, large) - (0.5 * kPiLow - select(is_negative, -more, more)));
+  const L far = select(is_negative, kPiHigh - 2.0 * (large + (more - 0.5 * kPiLow)), 2.0 * (large + more));
+  return select(is_small, near, far);
 }
 
 /// The angle of (x, y) from the x axis, from -pi to pi.
@@ -318,24 +350,34 @@ HWY_INLINE L arc_tangent(const L& y, const L& x) {
                                        -0.06666424885738254924, 0.058789289978347751553,  -0.052304542706502442362,
                                        0.045515932206265492799, -0.03457056198142774428,  0.016285756855221027867};
   constexpr double kEighth = 0.4142135623730950488;  // tan(pi/8)
-  constexpr double kLarge = 0x1p1000, kLower = 0x1p-100;
+  constexpr double kLarge = 0x1p500, kSmall = 0x1p-500, kLower = 0x1p-600, kRaise = 0x1p600;
   const L width = abs(x), height = abs(y);
-  const MaskOf<L> is_steep = height > width;
+  const MaskOf<L> is_steep = height > width, is_back = copysign(L(1.0), x) < 0.0;
   L below = select(is_steep, height, width), above = select(is_steep, width, height);
-  const MaskOf<L> is_large = below > kLarge;
-  above =
-      select(is_large, select(below == kInfinite, select(above == kInfinite, L(1.0), L(0.0)), above * kLower), above);
-  below = select(is_large, select(below == kInfinite, L(1.0), below * kLower), below);
+  // Into the middle of what doubles can be: of infinite numbers only the quadrant or its middle is left.
+  const MaskOf<L> is_large = below > kLarge, is_infinite = below == kInfinite;
+  const L factor = select(is_large, L(kLower), select(below < kSmall, L(kRaise), L(1.0)));
+  above = select(is_infinite, select(above == kInfinite, L(1.0), L(0.0)), above * factor);
+  below = select(is_infinite, L(1.0), below * factor);
   // Beyond pi/8 the angle to pi/4 is the smaller one.
   const MaskOf<L> is_wide = above > kEighth * below;
-  const L q = select(is_wide, above - below, above) / select(is_wide, above + below, below);
+  const L zero = 0.0;
+  const Exact<L> difference = exact_sum(below, -above), sum = exact_sum(below, above);
+  const Exact<L> numerator = {select(is_wide, -difference.high, above), select(is_wide, -difference.low, zero)};
+  const Exact<L> denominator = {select(is_wide, sum.high, below), select(is_wide, sum.low, zero)};
+  const L q = numerator.high / denominator.high;
   const L t = q * q;
-  L angle = select(t == 0.0, q, q + q * t * series(t, kSeries));
-  angle = select(is_wide, 0.25 * kPiHigh + (angle + 0.25 * kPiLow), angle);
-  angle = select(below == 0.0, L(0.0), angle);
-  angle = select(is_steep, 0.5 * kPiHigh - (angle - 0.5 * kPiLow), angle);
-  angle = select(copysign(L(1.0), x) < 0.0, kPiHigh - (angle - kPiLow), angle);
-  return select((x != x) | (y != y), x + y, copysign(angle, y));
+  const MaskOf<L> is_exact = (abs(q) < 1e-250) | (below == 0.0);
+  const L lost = select(is_exact, zero, lost_in_quotient(numerator, denominator, q));
+  const L more = q * t * series(t, kSeries) + lost * (1.0 - t);
+  // What the angle is beside: a number of eighths of a turn, from which it goes up or down.
+  const MaskOf<L> is_down = without(is_steep, is_back) | without(is_back, is_steep);
+  const L eighths = select(is_back, select(is_steep, L(2.0), L(4.0)), select(is_steep, L(2.0), zero)) +
+                    select(is_wide, select(is_down, L(-1.0), L(1.0)), zero);
+  const Exact<L> result = exact_sum(eighths * (0.25 * kPiHigh), select(is_down, -q, q));
+  const L angle = result.high + (result.low + (select(is_down, -more, more) + eighths * (0.25 * kPiLow)));
+  const L on_axis = select(is_back, L(kPiHigh), zero);
+  return select((x != x) | (y != y), x + y, copysign(select(below == 0.0, on_axis, angle), y));
 }
 template <class L>
 HWY_INLINE L arc_tangent(const L& x) {

@@ -1,6 +1,6 @@
 #pragma once
 
-namespace firstlight::render {
+namespace firstlight::render::steady {
 
 // The elementary functions of math-inl.h for single numbers: what shapes a picture uses them instead of <cmath>, whose last
 // digits depend on the machine. Special cases are the same.
@@ -17,4 +17,12 @@ double arc_tangent(double x);
 /// The angle of (x, y) from the x axis.
 double arc_tangent(double y, double x);
 
-}  // namespace firstlight::render
+double hyperbolic_sine(double x);
+double hyperbolic_cosine(double x);
+double hyperbolic_tangent(double x);
+double hyperbolic_arc_sine(double x);
+double hyperbolic_arc_cosine(double x);
+double hyperbolic_arc_tangent(double x);
+double decimal_logarithm(double x);
+
+}  // namespace firstlight::render::steady

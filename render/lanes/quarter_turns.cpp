@@ -30,7 +30,7 @@ __extension__ using Wide = unsigned __int128;
 }  // namespace
 
 QuarterTurns quarter_turns(double angle) {
-  if (!std::isfinite(angle)) return {0, std::numeric_limits<double>::quiet_NaN()};
+  if (!std::isfinite(angle)) return {0, std::numeric_limits<double>::quiet_NaN(), 0.0};
   int exponent = 0;
   // |angle| is a whole number of 53 bits times 2^exponent.
   const auto whole = static_cast<std::uint64_t>(std::ldexp(std::frexp(std::abs(angle), &exponent), 53));
@@ -38,26 +38,41 @@ QuarterTurns quarter_turns(double angle) {
   // Bits of 2/pi that stand for whole turns whatever they are multiplied with are left out; of the product with the 192
   // bits behind them the highest two are quarter turns.
   const int first = exponent - 2;
-  const Wide low = Wide{whole} * bits_from(first + 2 * kWordBits);
-  const Wide middle = Wide{whole} * bits_from(first + kWordBits) + (low >> kWordBits);
-  const std::uint64_t high = whole * bits_from(first) + static_cast<std::uint64_t>(middle >> kWordBits);
-  int count = static_cast<int>(high >> (kWordBits - 2));
-  std::uint64_t part[3] = {high << 2 | static_cast<std::uint64_t>(middle) >> (kWordBits - 2),
-                           static_cast<std::uint64_t>(middle) << 2 | static_cast<std::uint64_t>(low) >> (kWordBits - 2),
-                           static_cast<std::uint64_t>(low) << 2};
+  const Wide lower = Wide{whole} * bits_from(first + 2 * kWordBits);
+  const Wide middle = Wide{whole} * bits_from(first + kWordBits) + (lower >> kWordBits);
+  const std::uint64_t upper = whole * bits_from(first) + static_cast<std::uint64_t>(middle >> kWordBits);
+  int count = static_cast<int>(upper >> (kWordBits - 2));
+  std::uint64_t part[3] = {
+      upper << 2 | static_cast<std::uint64_t>(middle) >> (kWordBits - 2),
+      static_cast<std::uint64_t>(middle) << 2 | static_cast<std::uint64_t>(lower) >> (kWordBits - 2),
+      static_cast<std::uint64_t>(lower) << 2};
   const bool is_above_half = part[0] >> (kWordBits - 1) != 0;
   if (is_above_half) {
     ++count;
     // The way to the next, as a number of 192 bits. That the last bit is missing does not show.
     for (std::uint64_t& word : part) word = ~word;
   }
-  constexpr double kWord = 0x1p-64, kHalfPi = 0x1.921fb54442d18p+0;
-  const double share = kWord * (static_cast<double>(part[0]) +
-                                kWord * (static_cast<double>(part[1]) + kWord * static_cast<double>(part[2])));
-  double rest = share * kHalfPi;
-  if (is_above_half) rest = -rest;
-  if (angle < 0.0) return {-count & 3, -rest};
-  return {count & 3, rest};
+  // The first 128 bits from the highest that is set on, as a sum of two doubles. So many zeros lead no angle's.
+  int leading = std::countl_zero(part[0]);
+  if (leading == kWordBits) {
+    leading += std::countl_zero(part[1]);
+    part[0] = part[1];
+    part[1] = part[2];
+    part[2] = 0;
+  }
+  if (const int within = leading % kWordBits; within != 0) {
+    part[0] = part[0] << within | part[1] >> (kWordBits - within);
+    part[1] = part[1] << within | part[2] >> (kWordBits - within);
+  }
+  constexpr std::uint64_t kBelowDouble = 0x7ff;
+  const double scale = std::ldexp(is_above_half ? -1.0 : 1.0, -kWordBits - leading);
+  const double high = scale * static_cast<double>(part[0] & ~kBelowDouble);
+  const double low = scale * (static_cast<double>(part[0] & kBelowDouble) + 0x1p-64 * static_cast<double>(part[1]));
+  constexpr double kHalfPi = 0x1.921fb54442d18p+0, kHalfPiLow = 0x1.1a62633145c07p-54;
+  const double rest = high * kHalfPi;
+  const double lost = std::fma(high, kHalfPi, -rest) + (high * kHalfPiLow + low * kHalfPi);
+  if (angle < 0.0) return {-count & 3, -rest, -lost};
+  return {count & 3, rest, lost};
 }
 
 }  // namespace firstlight::render

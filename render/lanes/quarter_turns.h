@@ -6,6 +6,7 @@ namespace firstlight::render {
 struct QuarterTurns {
   int count;    ///< 0 to 3: whole turns are left out
   double rest;  ///< radians, at most an eighth of a turn to either side
+  double low;   ///< what is to be added to it, below its last digit
 };
 
 /// Of an angle in radians of any size. What is infinite or no number has a rest that is none.

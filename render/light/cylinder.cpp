@@ -1,3 +1,4 @@
+#include "render/lanes/math.h"
 #include "render/light/arrival.h"
 
 #include <cmath>
@@ -15,7 +16,7 @@ void beam::tube(const Light& light, const Columns3<double>& points, std::size_t 
     double share = 0.0;
     if (along > 0.0 && distance < light.falloff) {
       const double left = 1.0 - distance / light.falloff;
-      share = light.tightness == 0.0 ? 1.0 : std::pow(left, light.tightness);
+      share = light.tightness == 0.0 ? 1.0 : steady::power(left, light.tightness);
       if (light.radius > 0.0 && distance > light.radius) {
         share *= smooth_step(0.0, 1.0 - light.radius / light.falloff, left);
       }

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "render/feature/feature.h"
+#include "render/lanes/math.h"
 #include "render/light/light_kind.h"
 #include "render/math/color.h"
 #include "render/math/transform.h"
@@ -108,7 +109,7 @@ inline bool fades(const Light& light) {
 /// [POV-Ray 3.7 manual, "Light Fading"]
 inline double fading(const Light& light, double distance) {
   if (!fades(light)) return 1.0;
-  return 2.0 / (1.0 + std::pow(distance / light.fade_distance, light.fade_power));
+  return 2.0 / (1.0 + steady::power(distance / light.fade_distance, light.fade_power));
 }
 
 /// The light moved on; the objects that belong to it are the caller's to move (see render/scene/object.h).

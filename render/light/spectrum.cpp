@@ -1,5 +1,6 @@
 #include "render/light/spectrum.h"
 
+#include "render/lanes/math.h"
 #include "render/math/vec.h"
 
 #include <algorithm>
@@ -73,7 +74,7 @@ Rgb hue(SpectralBand band) {
 }
 
 double dispersed_ior(double ior, double dispersion, SpectralBand band) {
-  return ior * std::pow(dispersion, -(static_cast<double>(wavelength(band)) - kMiddle) / kWidth);
+  return ior * steady::power(dispersion, -(static_cast<double>(wavelength(band)) - kMiddle) / kWidth);
 }
 
 }  // namespace firstlight::render

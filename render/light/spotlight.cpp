@@ -1,3 +1,4 @@
+#include "render/lanes/math.h"
 #include "render/light/arrival.h"
 
 #include <cmath>
@@ -10,14 +11,14 @@ namespace firstlight::render {
 void beam::cone(const Light& light, const Columns3<double>&, std::size_t count, Arrival& arrival) {
   constexpr double kDegree = std::numbers::pi / 180.0;
   const Vec3 axis = unit(light.point_at - light.position);
-  const double radius = std::cos(light.radius * kDegree);
-  const double falloff = std::cos(light.falloff * kDegree);
+  const double radius = steady::cosine(light.radius * kDegree);
+  const double falloff = steady::cosine(light.falloff * kDegree);
   for (std::size_t i = 0; i < count; ++i) {
     const double backwards = arrival.direction.vector(i).dot(axis);
     const double cosine = arrival.depth[i] > 0.0 ? -backwards : backwards;
     double share = 0.0;
     if (cosine > 0.0) {
-      share = light.tightness == 0.0 ? 1.0 : std::pow(cosine, light.tightness);
+      share = light.tightness == 0.0 ? 1.0 : steady::power(cosine, light.tightness);
       if (radius > 0.0 && cosine < radius) share *= smooth_step(falloff, radius, cosine);
     }
     arrival.share[i] = share;

@@ -41,7 +41,7 @@ void CompiledPattern::greys(const Columns3<double>& there, const SurfacePoints& 
     const Rgb color = found->color(i).rgb;
     const double grey = 0.297 * static_cast<double>(color.x) + 0.589 * static_cast<double>(color.y) +
                         0.114 * static_cast<double>(color.z);
-    values[i] = (found->missing >> i & 1u) != 0 ? 0.0 : static_cast<double>(static_cast<float>(grey));
+    values[i] = (found->missing >> i & 1u) != 0 ? 0.0 : in_single(grey);
   }
 }
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "render/math/single.h"
 #include "render/texture/image_map.h"
 #include "render/texture/patterning.h"
 #include "render/texture/patterns.h"
@@ -66,7 +67,7 @@ MapPlace place_in_map(double value, std::uint32_t count, const Position& positio
 }
 
 /// Positions of maps are kept in single precision, and computed with in double. [POV-Ray 3.7]
-inline double stored_position(double position) { return static_cast<float>(position); }
+inline double stored_position(double position) { return in_single(position); }
 
 /// Calls visit(entry, lanes) for each entry of a map that any of the places touches, in the map's order; `lanes` is a bit
 /// for each of them.

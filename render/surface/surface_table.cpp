@@ -1,5 +1,7 @@
 #include "render/surface/surface_table.h"
 
+#include "render/lanes/math.h"
+
 #include <algorithm>
 #include <bit>
 #include <cmath>
@@ -28,7 +30,7 @@ std::uint32_t material_at(const ImageMap& image, const Vec3& point, std::uint32_
 
 /// What light becomes that is gathered behind a surface of clear matter: 1 + |n.d|^(45 caustics). [POV-Ray 3.7]
 float gathered(const Vec3& normal, const Vec3& direction, double caustics) {
-  return static_cast<float>(1.0 + std::pow(std::abs(normal.dot(direction)), 45.0 * caustics));
+  return static_cast<float>(1.0 + steady::power(std::abs(normal.dot(direction)), 45.0 * caustics));
 }
 
 }  // namespace

@@ -1,5 +1,7 @@
 #include "render/texture/image_map.h"
 
+#include "render/lanes/math.h"
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -24,7 +26,7 @@ double wrapped(double value, double period) {
 /// Part of a turn from the x axis towards z.
 double turn_about_y(double x, double z, double length) {
   if (z == 0.0) return x > 0.0 ? 0.0 : 0.5;
-  const double angle = std::acos(x / length);
+  const double angle = steady::arc_cosine(x / length);
   return (z < 0.0 ? kTurn - angle : angle) / kTurn;
 }
 
@@ -116,7 +118,7 @@ std::optional<ImageMap::Place> ImageMap::place(const Vec3& point) const {
       const Vec3 unit(point.x / length, point.y / length, point.z / length);
       const double from_axis = std::sqrt(unit.x * unit.x + unit.z * unit.z);
       const double turn = from_axis == 0.0 ? 0.0 : turn_about_y(unit.x, unit.z, from_axis);
-      place = {turn * period_x_, (0.5 + std::asin(unit.y) / std::numbers::pi) * period_y_};
+      place = {turn * period_x_, (0.5 + steady::arc_sine(unit.y) / std::numbers::pi) * period_y_};
       break;
     }
     case ImageUse::Projection::cylindrical: {
@@ -134,7 +136,7 @@ std::optional<ImageMap::Place> ImageMap::place(const Vec3& point) const {
       const double from_axis = std::sqrt(point.x * point.x + point.z * point.z);
       if (from_axis == 0.0) return std::nullopt;
       const double x = from_axis - 1.0;
-      double angle = std::acos(-x / std::sqrt(x * x + point.y * point.y));
+      double angle = steady::arc_cosine(-x / std::sqrt(x * x + point.y * point.y));
       if (point.y > 0.0) angle = kTurn - angle;
       place = {turn_about_y(point.x, point.z, from_axis) * period_x_, angle / kTurn * period_y_};
       break;

@@ -1,5 +1,6 @@
 // Patterns that go by how a surface lies: slope, and aoi, the angle under which it is seen.
 
+#include "render/lanes/math.h"
 #include "render/texture/patterns.h"
 
 #include <algorithm>
@@ -37,7 +38,7 @@ class Slope final : public Pattern {
     const Vec3 direction = parameters_.to_point ? (parameters_.direction - place).normalized() : parameters_.direction;
     const double cosine = std::clamp(normal.dot(direction), -1.0, 1.0);
     const double slope =
-        in_range((std::asin(cosine) / std::numbers::pi * 2.0 + 1.0) * 0.5, parameters_.low, parameters_.high);
+        in_range((steady::arc_sine(cosine) / std::numbers::pi * 2.0 + 1.0) * 0.5, parameters_.low, parameters_.high);
     if (!has_altitude_) return slope == 1.0 ? slope - kNegligible : folded(slope);
     const double altitude =
         in_range(point.dot(parameters_.altitude), parameters_.low_altitude, parameters_.high_altitude);
@@ -62,7 +63,7 @@ class AngleOfIncidence final : public Pattern {
       if (!points.on_surface) continue;
       const Vec3 normal = points.tilted.vector(i).normalized();
       const Vec3 direction = points.direction.vector(i).normalized();
-      values[i] = std::acos(std::clamp(normal.dot(direction), -1.0, 1.0)) / std::numbers::pi;
+      values[i] = steady::arc_cosine(std::clamp(normal.dot(direction), -1.0, 1.0)) / std::numbers::pi;
     }
   }
 };

@@ -1,6 +1,7 @@
 // Rings about several points: ripples, and waves, whose rings are of different width.
 
 #include "render/math/noise.h"
+#include "render/math/single.h"
 #include "render/texture/lane_field.h"
 #include "render/texture/patterns.h"
 
@@ -47,7 +48,7 @@ HWY_INLINE L length_but_0(const Vec3Of<L>& way) {
 /// How high the rings of a source stand so far from it.
 template <class L>
 HWY_INLINE L ring(const L& distance, const RingSource& source, const Wave& wave) {
-  const double frequency = static_cast<float>(wave.frequency), phase = static_cast<float>(wave.phase);
+  const double frequency = in_single(wave.frequency), phase = in_single(wave.phase);
   return sine_wave(distance * frequency * source.frequency + phase);
 }
 

@@ -1,5 +1,6 @@
 #include "render/texture/penrose.h"
 
+#include "render/lanes/math.h"
 #include "render/math/vec.h"
 
 #include <algorithm>
@@ -13,8 +14,8 @@ constexpr double kPhi2 = kPhi * kPhi;
 constexpr double kInside = 1e-6;  // between the values of two kinds
 
 double radians(double degrees) { return degrees * 0.017453292519943295769; }
-double sine(double degrees) { return std::sin(radians(degrees)); }
-double cosine(double degrees) { return std::cos(radians(degrees)); }
+double sine(double degrees) { return steady::sine(radians(degrees)); }
+double cosine(double degrees) { return steady::cosine(radians(degrees)); }
 
 const double kSin18 = sine(18), kCos18 = cosine(18);
 const double kSin36 = sine(36), kCos36 = cosine(36), kTan36 = kSin36 / kCos36;
@@ -56,7 +57,7 @@ bool is_nowhere(double x, double z) {
 
 /// How often a figure that reaches to `size` has to be cut, if each cut makes parts smaller by 1 / `factor`.
 int cuts_for(double size, double factor) {
-  return std::max(0, static_cast<int>(std::ceil(std::log(size) / std::log(factor))));
+  return std::max(0, static_cast<int>(std::ceil(steady::logarithm(size) / steady::logarithm(factor))));
 }
 
 /// The border's value is `most`, and the value falls with the distances from it, not below `least`.
@@ -104,7 +105,7 @@ double kites_or_rhombi(double x, double z, bool rhombi) {
   Place place = folded_by_fifths({x, z});
   if (rhombi) place = place * (1.0 / kPhi);
   const int pairs = cuts_for(place.from_line(0.0, -kCos72, kSin72) / kCos18, kPhi2);
-  place = place * std::pow(1.0 / kPhi2, pairs);
+  place = place * steady::power(1.0 / kPhi2, pairs);
   if (pairs % 2 != 0) place = place.turned(kCos36, -kSin36);
   return in_triangles(place, true, 2 * pairs, rhombi);
 }
@@ -203,7 +204,7 @@ double penrose_pentagons(double x, double z) {
   if (is_nowhere(x, z)) return 1.0;
   const Place place = folded_by_fifths({x, z});
   const int fours = cuts_for(place.x * 2.0 * kTan36, kPhi2 * kPhi2);
-  Whereabouts at{place * std::pow(1.0 / (kPhi2 * kPhi2), fours), Tile::pentagon1, false};
+  Whereabouts at{place * steady::power(1.0 / (kPhi2 * kPhi2), fours), Tile::pentagon1, false};
   for (int i = 0; i < 4 * fours; ++i) {
     at = cut(at);
     at.place = at.place * kPhi;

@@ -1,6 +1,7 @@
 // The pattern `tiling`: 24 ways to cover the x-z plane with tiles that repeat, all with sides of 1 as far as they have one length,
 // and three that never repeat (penrose.h). Source: POV-Ray 3.7's tilings of the same numbers; manual, "Tiling".
 
+#include "render/lanes/math.h"
 #include "render/texture/field.h"
 #include "render/texture/patterns.h"
 #include "render/texture/penrose.h"
@@ -26,8 +27,8 @@ constexpr double kLozenge = kRoot3 / 4.0;  // half the width of a rhombus of two
 Vec2 turned(const Vec2& point, const Vec2& about, double degrees) {
   const double angle = degrees * 0.017453292519943295769;
   const Vec2 from = point - about;
-  return about +
-         Vec2(from.x * std::cos(angle) - from.y * std::sin(angle), from.x * std::sin(angle) + from.y * std::cos(angle));
+  return about + Vec2(from.x * steady::cosine(angle) - from.y * steady::sine(angle),
+                      from.x * steady::sine(angle) + from.y * steady::cosine(angle));
 }
 
 PolygonTile turned(PolygonTile tile, const Vec2& about, double degrees) {
@@ -43,7 +44,7 @@ PolygonTile polygon(std::size_t kind, double reach, std::vector<Vec2> corners) {
 PolygonTile regular(std::size_t kind, double reach, int sides, const Vec2& middle) {
   PolygonTile tile{kind, {}, reach, {}};
   const double half = 180.0 / sides;
-  const Vec2 first(middle.x, middle.y - 0.5 / std::sin(half * 0.017453292519943295769));
+  const Vec2 first(middle.x, middle.y - 0.5 / steady::sine(half * 0.017453292519943295769));
   for (int i = 0; i < sides; ++i) tile.corners.push_back(turned(first, middle, half * (2 * i - 1)));
   return tile;
 }

@@ -1,6 +1,7 @@
 #include "render/texture/warp.h"
 
 #include "render/math/lattice_random.h"
+#include "render/math/single.h"
 
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "render/texture/warp.cpp"
@@ -26,8 +27,7 @@ HWY_INLINE L& component(Vec3Of<L>& v, int axis) {
 
 template <class L>
 HWY_INLINE L to_single(const L& x) {
-  return one_by_one(L::first(L::kCount), x,
-                    [](double number) { return static_cast<double>(static_cast<float>(number)); });
+  return one_by_one(L::first(L::kCount), x, in_single);
 }
 
 // The point before a warp for one behind it. [POV-Ray 3.7]
@@ -49,7 +49,7 @@ HWY_INLINE Vec3Of<L> unwarped(const Turbulence& turbulence, const Vec3Of<L>& p) 
 template <class L>
 HWY_INLINE Vec3Of<L> unwarped(const RepeatWarp& repeat, const Vec3Of<L>& p) {
   const int axis = repeat.axis;
-  const double width = static_cast<float>(repeat.width);
+  const double width = in_single(repeat.width);
   Vec3Of<L> there = p;
   L& along = component(there, axis);
   const L block = to_single(floor(along / width));

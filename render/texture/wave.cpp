@@ -1,5 +1,7 @@
 #include "render/texture/wave.h"
 
+#include "render/math/single.h"
+
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "render/texture/wave.cpp"
 #include <hwy/foreach_target.h>
@@ -28,8 +30,7 @@ HWY_EXPORT(shape_block);
 
 void shape_all(const Wave& wave, std::size_t count, Column<double>& values) {
   // POV-Ray keeps the numbers of waves in single precision, and computes with them in double.
-  const auto stored = [](double number) { return static_cast<double>(static_cast<float>(number)); };
-  const Wave kept{wave.form, stored(wave.exponent), stored(wave.frequency), stored(wave.phase)};
+  const Wave kept{wave.form, in_single(wave.exponent), in_single(wave.frequency), in_single(wave.phase)};
   HWY_DYNAMIC_DISPATCH(shape_block)(kept, count, values);
 }
 

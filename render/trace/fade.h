@@ -1,5 +1,6 @@
 #pragma once
 
+#include "render/lanes/math.h"
 #include "render/math/color.h"
 #include "render/texture/interior.h"
 
@@ -15,10 +16,11 @@ inline Rgb faded_light(const Interior& interior, double depth) {
   const double distance = depth / interior.fade_distance;
   const Rgb lost = Rgb(1.0f) - interior.fade_color;
   if (interior.fade_power >= kExponentialPower) {
-    return {static_cast<float>(std::exp(-lost.x * distance)), static_cast<float>(std::exp(-lost.y * distance)),
-            static_cast<float>(std::exp(-lost.z * distance))};
+    return {static_cast<float>(steady::exponential(-lost.x * distance)),
+            static_cast<float>(steady::exponential(-lost.y * distance)),
+            static_cast<float>(steady::exponential(-lost.z * distance))};
   }
-  return interior.fade_color + lost * static_cast<float>(1.0 / (1.0 + std::pow(distance, interior.fade_power)));
+  return interior.fade_color + lost * static_cast<float>(1.0 / (1.0 + steady::power(distance, interior.fade_power)));
 }
 
 }  // namespace firstlight::render

@@ -1,5 +1,6 @@
 // Lights on many hits at once, and the feelers that take them back.
 
+#include "render/lanes/math.h"
 #include "render/math/point_hash.h"
 #include "render/trace/hit_block.h"
 
@@ -152,7 +153,8 @@ HWY_INLINE Vec film_tint(const HitBlock& block, const LayerColumns& layer, std::
   for (std::size_t k = 0; k < hn::Lanes(d) && i + k < block.size; ++k) {
     const double irid = layer.irid[i + k];
     const double way = 2.0 * std::numbers::pi * layer.film[i + k] * cosines[k];
-    for (int c = 0; c < 3; ++c) tints[c][k] = irid == 0.0 ? 1.0 : 1.0 + irid * std::cos(way / block.irid_wavelength[c]);
+    for (int c = 0; c < 3; ++c)
+      tints[c][k] = irid == 0.0 ? 1.0 : 1.0 + irid * steady::cosine(way / block.irid_wavelength[c]);
   }
   return {hn::Load(d, tints[0]), hn::Load(d, tints[1]), hn::Load(d, tints[2])};
 }

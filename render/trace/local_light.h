@@ -1,5 +1,6 @@
 #pragma once
 
+#include "render/lanes/math.h"
 #include "render/math/color.h"
 
 #include <algorithm>
@@ -11,7 +12,7 @@ namespace firstlight::render {
 /// Empirical Fresnel term by which metals lose their tint at grazing angles; `cosine` is of the angle to the normal.
 /// Source   POV-Ray 3.7: F = 0.014567225 / (x - 1.12)^2 - 0.011612903, x = angle / 90 degrees, kept within [0, 1].
 inline double metallic_fresnel(double cosine) {
-  const double x = std::abs(std::acos(std::clamp(cosine, -1.0, 1.0))) / (std::numbers::pi / 2.0);
+  const double x = std::abs(steady::arc_cosine(std::clamp(cosine, -1.0, 1.0))) / (std::numbers::pi / 2.0);
   const double f = 0.014567225 / ((x - 1.12) * (x - 1.12)) - 0.011612903;
   return std::clamp(f, 0.0, 1.0);
 }

@@ -1,5 +1,6 @@
 // The surfaces that rays meet: which textures they wear, what their layers are there, and what they reflect.
 
+#include "render/lanes/math.h"
 #include "render/trace/film_thickness.h"
 #include "render/trace/local_light.h"
 #include "render/trace/step.h"
@@ -293,7 +294,7 @@ Rgb Stepper::reflectivity(const Surface& surface, double steepness, const Surfac
     adc_weight *= layer.strongest;
     const double grazing = 1.0 - cosine;
     const double fraction = std::abs(finish.reflection_falloff - 1.0) > kNegligible
-                                ? std::pow(grazing, finish.reflection_falloff)
+                                ? steady::power(grazing, finish.reflection_falloff)
                                 : grazing;
     reflected = finish.reflection_max * static_cast<float>(fraction) +
                 finish.reflection_min * static_cast<float>(1.0 - fraction);

@@ -1,5 +1,6 @@
 // Lights on what rays have met, as if nothing were in their way, and the rays that the surfaces send on.
 
+#include "render/lanes/math.h"
 #include "render/math/interrupt.h"
 #include "render/trace/fade.h"
 #include "render/trace/film_thickness.h"
@@ -164,7 +165,7 @@ Rgb Stepper::film_color(std::size_t hit, const Mirror& mirror, PackedDirection r
   const double cosines = std::abs(normal.dot(reflected.unpack())) + std::abs(normal.dot(block_->direction.vector(hit)));
   const double way = 2.0 * std::numbers::pi * film * cosines;
   const auto channel = [&](float wavelength) {
-    return static_cast<float>(1.0 + mirror.layer->irid * std::cos(way / static_cast<double>(wavelength)));
+    return static_cast<float>(1.0 + mirror.layer->irid * steady::cosine(way / static_cast<double>(wavelength)));
   };
   const Rgb& lengths = settings.irid_wavelength;
   return {channel(lengths.x), channel(lengths.y), channel(lengths.z)};

@@ -1,6 +1,7 @@
 #include "render/trace/step.h"
 
 #include "render/camera/camera.h"
+#include "render/lanes/math.h"
 #include "render/math/interrupt.h"
 #include "render/trace/surface_limits.h"
 
@@ -257,7 +258,7 @@ void Stepper::add_sealed(const Surface& surface, RayTask root, double exponent) 
   // Negative light has a square, and no square root. What is negative by the rounding of what feelers hold alone is none.
   constexpr float kRounding = 0x1p-14f;
   const auto power = [exponent](float c) {
-    const auto raised = static_cast<float>(std::pow(c < 0.0f && c > -kRounding ? 0.0f : c, exponent));
+    const auto raised = static_cast<float>(steady::power(c < 0.0f && c > -kRounding ? 0.0f : c, exponent));
     return std::isnan(raised) ? -static_cast<float>(kDarkness) : raised;
   };
   surface.sum->light += FixedRgb::from(weight * Rgb(power(color.x), power(color.y), power(color.z)));

@@ -1,5 +1,6 @@
 #include "render/trace/surface_limits.h"
 
+#include "render/lanes/math.h"
 #include "render/surface/pigment_limits.h"
 #include "render/trace/start_medium.h"
 #include "render/trace/surroundings_limits.h"
@@ -231,7 +232,7 @@ void Maker::add(const Coat& coat) {
 double SurfaceAnswer::from_this_side(double incoming) const {
   double light = own + mirrored * incoming;
   for (const Power& power : sealed) {
-    light += power.factor * std::max(std::pow(incoming, power.exponent), power.may_be_dark ? kDarkness : 0.0);
+    light += power.factor * std::max(steady::power(incoming, power.exponent), power.may_be_dark ? kDarkness : 0.0);
   }
   return light;
 }

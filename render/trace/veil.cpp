@@ -1,5 +1,6 @@
 #include "render/trace/veil.h"
 
+#include "render/lanes/math.h"
 #include "render/math/noise.h"
 #include "render/math/point_hash.h"
 
@@ -22,10 +23,10 @@ double turbulence_at(const Fog& fog, const Vec3& point, int generator) {
 /// above, whose integral is atan(y).
 double mean_density(double start, double end) {
   if (start <= 0.0 && end <= 0.0) return 1.0;
-  if (start <= 0.0) return (std::atan(end) - start) / (end - start);
-  if (end <= 0.0) return (std::atan(start) - end) / (start - end);
+  if (start <= 0.0) return (steady::arc_tangent(end) - start) / (end - start);
+  if (end <= 0.0) return (steady::arc_tangent(start) - end) / (start - end);
   const double rise = start - end;
-  if (std::abs(rise) > kNegligible) return (std::atan(start) - std::atan(end)) / rise;
+  if (std::abs(rise) > kNegligible) return (steady::arc_tangent(start) - steady::arc_tangent(end)) / rise;
   return 1.0 / (start * start + 1.0);
 }
 
@@ -41,10 +42,10 @@ double left_by(const Fog& fog, const Ray& ray, double depth, int generator) {
   if (fog.turbulence) {
     const Vec3 middle = fog.type == Fog::kGround ? (ray.origin + end) * 0.5 : ray.origin + ray.direction * (depth / 2.0);
     // The longer the way, the more of the turbulence evens out.
-    const double evenness = std::exp(-depth / fog.distance);
+    const double evenness = steady::exponential(-depth / fog.distance);
     way *= 1.0 - evenness * std::min(1.0, turbulence_at(fog, middle, generator) * fog.turbulence_depth);
   }
-  return std::exp(-way * density / fog.distance);
+  return steady::exponential(-way * density / fog.distance);
 }
 
 }  // namespace
@@ -117,12 +118,12 @@ std::optional<Veil> Veils::bow(const Bow& bow, const Ray& ray, double depth, std
   double up = ray.direction.dot(rainbow.up);
   const double length2 = across * across + up * up;
   if (length2 > 0.0) up /= std::sqrt(length2);
-  const double from_top = std::abs(std::acos(up));
+  const double from_top = std::abs(steady::arc_cosine(up));
   const double along = ray.direction.dot(rainbow.direction);
   // Not a number is outside, of both.
   if (!(from_top <= rainbow.arc_half_angle) || !(along >= 0.0)) return std::nullopt;
 
-  double place = (std::acos(along) - bow.inner) / bow.width;
+  double place = (steady::arc_cosine(along) - bow.inner) / bow.width;
   if (rainbow.jitter > 0.0) place += (2.0 * hashed_number(ray.direction, number) - 1.0) * rainbow.jitter;
   if (!(place >= 0.0 && place <= 1.0 - kNegligible)) return std::nullopt;
   const FilteredColor color = bow.colors->color_at({place, 0.0, 0.0});
@@ -133,7 +134,7 @@ std::optional<Veil> Veils::bow(const Bow& bow, const Ray& ray, double depth, std
     fade = (3.0 - 2.0 * t) * t * t;
   }
   const double transmit = color.transmit;
-  const double left = std::max(std::exp(-depth / rainbow.distance), fade * (1.0 - transmit) + transmit);
+  const double left = std::max(steady::exponential(-depth / rainbow.distance), fade * (1.0 - transmit) + transmit);
   const double taken = 1.0 - left;
   const auto filter = static_cast<float>(static_cast<double>(color.filter) * taken);
   return Veil{(Rgb(1.0f - filter) + color.rgb * filter) * static_cast<float>(left),
