@@ -45,7 +45,8 @@ std::string summary(const Options& options, const std::string& picture, const St
   std::string text = options.write_picture ? picture : "no picture written";
   text += fmt::format(": {} x {}", stats.width, stats.height);
   if (const std::string why = reason(options, stats.end); !why.empty()) {
-    text += fmt::format(", not finished: {}, {};", why, remaining_text(stats.rays.remaining, stats.remaining_is_bound));
+    text += fmt::format(", not finished: {}, {};", why,
+                        remaining_text(stats.rays.remaining, stats.rays.remaining_is_bound));
   } else {
     text += ",";
   }

@@ -15,7 +15,6 @@
 #include "app/terminal_keys.h"
 #include "priority/order.h"
 #include "render/image/link_target.h"
-#include "render/trace/radiance_bound.h"
 
 #include <fmt/format.h>
 
@@ -99,7 +98,6 @@ Stats stats_of(const Options& options, const Session& session, const priority::T
   stats.queue_memory = tracing.queue_memory;
   stats.parse = session.parse_seconds();
   stats.build = session.build_seconds();
-  stats.remaining_is_bound = render::RadianceBound(session.scene()).known();
   stats.rays = traced.statistics;
   stats.trace = traced.statistics.seconds;
   stats.end = traced.end;

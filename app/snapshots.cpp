@@ -27,6 +27,7 @@ void Snapshots::finished(const priority::TraceStatistics& statistics) {
   progress.seconds = statistics.seconds;
   progress.traced = statistics.rays;
   progress.remaining = statistics.remaining;
+  progress.remaining_is_bound = statistics.remaining_is_bound;
   take("finished", progress);
 }
 

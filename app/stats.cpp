@@ -34,7 +34,7 @@ std::string to_json(const Stats& stats) {
   json["untraced"] = {{"clear_feelers", rays.clear}, {"blocked_feelers", rays.blocked}};
   json["end"] = {{"reason", end_name(stats.end)},
                  {"remaining", stats.rays.remaining},
-                 {"remaining_is_bound", stats.remaining_is_bound}};
+                 {"remaining_is_bound", stats.rays.remaining_is_bound}};
   json["queue"] = {{"memory", stats.queue_memory},
                    {"peak_rays", stats.rays.peak_rays},
                    {"peak_bytes", stats.rays.peak_bytes},

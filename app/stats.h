@@ -23,8 +23,7 @@ struct Stats {
   double trace = 0.0;
   double total = 0.0;
   priority::End end = priority::End::complete;
-  bool remaining_is_bound = true;  ///< false: rays.remaining is an estimate
-  std::size_t queue_memory = 0;    ///< bytes that were allowed; 0: no limit
+  std::size_t queue_memory = 0;  ///< bytes that were allowed; 0: no limit
   priority::TraceStatistics rays;
 };
 

@@ -67,6 +67,7 @@ TraceStatistics statistics_of(const Frame& frame, const Shared& shared, const st
   statistics.rekeying = shared.queue.rekeying();
   statistics.seconds = frame.seconds();
   statistics.remaining = frame.end() == End::complete ? 0.0 : frame.remaining();
+  statistics.remaining_is_bound = frame.remaining_is_bound();
   statistics.preview = frame.preview();
   statistics.first_image = frame.first_image();
   return statistics;

@@ -60,8 +60,9 @@ struct TraceStatistics {
   /// Rays traced while a more important one lay in another worker's open blocks.
   std::uint64_t inverted_rays = 0;
   RayQueue::Rekeying rekeying;
-  double seconds = 0.0;    ///< without pauses and checkpoints
-  double remaining = 0.0;  ///< as Progress::remaining, at the end
+  double seconds = 0.0;            ///< without pauses and checkpoints
+  double remaining = 0.0;          ///< as Progress::remaining, at the end
+  bool remaining_is_bound = true;  ///< likewise
   /// When the whole picture could be shown, with holes filled; not set if it was stopped before, as is the next.
   std::optional<std::chrono::steady_clock::time_point> preview;
   /// When every pixel had its primary ray's light.

@@ -266,7 +266,7 @@ Progress Frame::progress(const RayQueue& queue, const BlockPool& pool) const {
   progress.key = key_.load(std::memory_order_relaxed);
   progress.seconds = std::chrono::duration<double>(Clock::now() - begin_ - rested_).count();
   progress.remaining = remaining();
-  progress.remaining_is_bound = bound_.known();
+  progress.remaining_is_bound = remaining_is_bound();
   return progress;
 }
 

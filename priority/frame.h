@@ -82,8 +82,9 @@ class Frame {
   std::string error() const;
   std::optional<std::chrono::steady_clock::time_point> preview() const;
   std::optional<std::chrono::steady_clock::time_point> first_image() const;
-  /// As Progress::remaining.
+  // As Progress has them.
   double remaining() const;
+  bool remaining_is_bound() const { return bound_.known(); }
   /// Of tracing, without pauses and checkpoints.
   double seconds() const;
 

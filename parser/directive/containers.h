@@ -23,9 +23,9 @@ class Containers {
 
   explicit Containers(Interpreter& in) : in_(in) {}
 
-  /// What is behind `array`, which has been taken.
+  /// The array behind the word `array`, which has been taken.
   Value parse_array();
-  /// What is behind `word`, which is `dictionary`.
+  /// The dictionary behind `word`, which is `dictionary` and has been taken.
   Value parse_dictionary(const Token& word);
   /// `.Key` or `["Key"]`
   std::string parse_key();

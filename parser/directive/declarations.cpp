@@ -119,7 +119,7 @@ void Declarations::check_semicolon(const Target& target, const Token& word) {
   const Location& next = in_.peek().location;
   const std::string message =
       "expected ';' after the value of '" + std::string(target.name.text) + "', found " + in_.describe_next();
-  // What is missing belongs behind the value, if that ends on a line of the same file.
+  // The missing semicolon belongs behind the value, if that ends on a line of the same file.
   const Location end = in_.behind_last_token();
   const Location& at = end.file == next.file ? end : next;
   if (in_.language_version() < 350) return in_.warn(at, message);

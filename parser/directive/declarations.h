@@ -20,7 +20,7 @@ class Declarations {
   /// `after_hash` is false for the old `declare` without `#`.
   void run_declare(const Token& word, bool after_hash);
 
-  /// What a value is stored in.
+  /// The place that a value is stored in.
   struct Target {
     Token name;
     Scopes::Slot slot;

@@ -13,7 +13,7 @@ namespace firstlight::parser {
 
 class Interpreter;
 
-/// What happens after a mistake: where reading goes on, and which further mistakes are only its consequences.
+/// The way on after a mistake: where reading goes on, and which further mistakes are only its consequences.
 class Recovery {
  public:
   static constexpr std::size_t kMostMistakes = 20;   // told of in one run

@@ -9,8 +9,8 @@ namespace firstlight::parser {
 
 class Interpreter;
 
-/// What the strings, arrays and dictionaries of a scene may take up: a scene is untrusted. They are counted as they are
-/// made, and only when that is much are those counted that are still there.
+/// The memory that strings, arrays and dictionaries of a scene may take up: a scene is untrusted. They are counted as
+/// they are made, and only when that is much are those counted that are still there.
 class ValueMemory {
  public:
   explicit ValueMemory(Interpreter& in) : in_(in) {}

@@ -9,11 +9,11 @@
 #endif
 
 #include "render/accel/box_test-inl.h"
-#include "render/accel/leaf_groups.h"
 #include "render/accel/leaf/box-inl.h"
 #include "render/accel/leaf/plane-inl.h"
 #include "render/accel/leaf/solid-inl.h"
 #include "render/accel/leaf/sphere-inl.h"
+#include "render/accel/leaf_groups.h"
 #include "render/accel/leaves.h"
 #include "render/math/interrupt.h"
 
@@ -45,7 +45,7 @@ class BlockSearch {
   double limit(std::size_t i) const { return limits_[i]; }
 
  protected:
-  /// Of the rays in `who` those from which nothing hides that has these bits.
+  /// The bits of those rays in `who` that see what is hidden from kinds with these bits.
   std::uint64_t without_hidden(std::uint64_t who, std::uint8_t hidden_from) const {
     if (hidden_from == 0) return who;
     std::uint64_t seeing = 0;

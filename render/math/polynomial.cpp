@@ -153,12 +153,18 @@ bool PolynomialRoots::next(Order order, double& root) {
 bool PolynomialRoots::next(double& root) {
   if (waiting_count_ == 0) return false;
   switch (c_.size() - 1) {
-    case 1: return next(std::integral_constant<std::size_t, 1>(), root);
-    case 2: return next(std::integral_constant<std::size_t, 2>(), root);
-    case 3: return next(std::integral_constant<std::size_t, 3>(), root);
-    case 4: return next(std::integral_constant<std::size_t, 4>(), root);
-    case 6: return next(std::integral_constant<std::size_t, 6>(), root);
-    default: return next(c_.size() - 1, root);
+    case 1:
+      return next(std::integral_constant<std::size_t, 1>(), root);
+    case 2:
+      return next(std::integral_constant<std::size_t, 2>(), root);
+    case 3:
+      return next(std::integral_constant<std::size_t, 3>(), root);
+    case 4:
+      return next(std::integral_constant<std::size_t, 4>(), root);
+    case 6:
+      return next(std::integral_constant<std::size_t, 6>(), root);
+    default:
+      return next(c_.size() - 1, root);
   }
 }
 

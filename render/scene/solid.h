@@ -37,11 +37,11 @@ class Solid {
 
   Kind kind = Kind::shape;
   std::uint8_t hidden_from = 0;
-  std::uint32_t part = 0;    ///< of Kind::shape: index into Scene::parts
+  std::uint32_t part = 0;  ///< of Kind::shape: index into Scene::parts
   /// At top level: index into Scene::interiors of the object that the solid belongs to; kNoMatter: no ray starts in it.
   std::uint32_t matter = 0;
   static constexpr std::uint32_t kNoMatter = 0xffffffffu;
-  ShapePtr shape;            ///< of Kind::shape
+  ShapePtr shape;  ///< of Kind::shape
 
   /// World bounds of what remains visible, with room for rounding. Empty: nothing remains. Pre: closed.
   Box3 box() const;

@@ -36,10 +36,11 @@ struct Piece {
     Piece left = *this;
     left.u1 = u0 = 0.5 * (u0 + u1);
     for (std::size_t i = 0; i < 4; ++i) {
-      split({points[0][i], points[1][i], points[2][i], points[3][i]}, [&](std::size_t k, const Vec3& low, const Vec3& high) {
-        left.points[k][i] = low;
-        points[k][i] = high;
-      });
+      split({points[0][i], points[1][i], points[2][i], points[3][i]},
+            [&](std::size_t k, const Vec3& low, const Vec3& high) {
+              left.points[k][i] = low;
+              points[k][i] = high;
+            });
     }
     return left;
   }
@@ -47,10 +48,11 @@ struct Piece {
     Piece bottom = *this;
     bottom.v1 = v0 = 0.5 * (v0 + v1);
     for (std::size_t i = 0; i < 4; ++i) {
-      split({points[i][0], points[i][1], points[i][2], points[i][3]}, [&](std::size_t k, const Vec3& low, const Vec3& high) {
-        bottom.points[i][k] = low;
-        points[i][k] = high;
-      });
+      split({points[i][0], points[i][1], points[i][2], points[i][3]},
+            [&](std::size_t k, const Vec3& low, const Vec3& high) {
+              bottom.points[i][k] = low;
+              points[i][k] = high;
+            });
     }
     return bottom;
   }
@@ -160,16 +162,18 @@ class BicubicPatch final : public Shape {
     parameters_.v_steps = std::min(parameters_.v_steps, kMostSteps);
     std::vector<Box3> boxes;
     std::vector<Box3> unfinished_boxes;
-    for_each_leaf(whole(), kMostStepsBefore, [](const Piece&) { return true; }, [&](const Piece& piece) {
-      if (is_leaf(piece)) {
-        const Leaf& leaf = leaves_.emplace_back(piece);
-        Box3& box = boxes.emplace_back();
-        for (const Vec3& corner : leaf.corners) box.extendBy(corner);
-      } else {
-        unfinished_.push_back(piece);
-        unfinished_boxes.push_back(piece.box());
-      }
-    });
+    for_each_leaf(
+        whole(), kMostStepsBefore, [](const Piece&) { return true; },
+        [&](const Piece& piece) {
+          if (is_leaf(piece)) {
+            const Leaf& leaf = leaves_.emplace_back(piece);
+            Box3& box = boxes.emplace_back();
+            for (const Vec3& corner : leaf.corners) box.extendBy(corner);
+          } else {
+            unfinished_.push_back(piece);
+            unfinished_boxes.push_back(piece.box());
+          }
+        });
     boxes.insert(boxes.end(), unfinished_boxes.begin(), unfinished_boxes.end());
     tree_ = RayTree(boxes);
   }

@@ -20,9 +20,7 @@ constexpr double kFar = 1e100;     ///< half the size of a rectangle without end
 constexpr std::uint32_t kBase = 0xfffffffeu;
 constexpr std::uint32_t kCap = 0xffffffffu;
 
-bool is_same(const Vec2& a, const Vec2& b) {
-  return std::abs(a.x - b.x) < kEpsilon && std::abs(a.y - b.y) < kEpsilon;
-}
+bool is_same(const Vec2& a, const Vec2& b) { return std::abs(a.x - b.x) < kEpsilon && std::abs(a.y - b.y) < kEpsilon; }
 
 /// The segments of all curves; from a point that closes one to the first of the next there is none. [POV-Ray 3.7]
 std::vector<ProfileSegment> segments_of(const PrismParameters& parameters) {
@@ -75,7 +73,7 @@ struct Prism {
 
   std::vector<ProfileSegment> segments;
   std::vector<Rectangle> rectangles;  ///< about the segments, with room for rounding
-  Vec2 low{kBoundless, kBoundless};  ///< a rectangle about the curves
+  Vec2 low{kBoundless, kBoundless};   ///< a rectangle about the curves
   Vec2 high{-kBoundless, -kBoundless};
   double bottom;
   double top;
@@ -222,7 +220,8 @@ ShapePtr make_prism(const PrismParameters& parameters) {
 
 ShapePtr make_letter(std::vector<ProfileSegment> outline, double thickness) {
   constexpr double kNearestOfText = 1e-6;  // POV-Ray's
-  Prism letter(std::move(outline), {ProfileSpline::quadratic, PrismParameters::Sweep::linear, 0.0, thickness, {}, false});
+  Prism letter(std::move(outline),
+               {ProfileSpline::quadratic, PrismParameters::Sweep::linear, 0.0, thickness, {}, false});
   letter.nearest = kNearestOfText;
   letter.turns_base = true;
   const Mat4 upright(1, 0, 0, 0, 0, 0, 1, 0, 0, 1, 0, 0, 0, 0, 0, 1);  // y and z change places

@@ -19,8 +19,8 @@ class Shape;
 struct Crossing {
   double depth = 0.0;  ///< along the ray, in its units
   const Shape* shape = nullptr;
-  std::uint32_t part = 0;  ///< index into Scene::parts; set by the solid that owns the shape
-  std::uint32_t face = 0;  ///< the shape's own note: which side, cap or triangle was met
+  std::uint32_t part = 0;         ///< index into Scene::parts; set by the solid that owns the shape
+  std::uint32_t face = 0;         ///< the shape's own note: which side, cap or triangle was met
   std::array<double, 2> place{};  ///< likewise: where on the face, a curve's parameter, say
 };
 

@@ -14,18 +14,16 @@
 namespace firstlight::render {
 namespace {
 
-constexpr std::size_t kFew = 6;      ///< segments that are asked one by one
-constexpr double kBoxRoom = 1e-9;    ///< of the boxes of segments, relative
+constexpr std::size_t kFew = 6;    ///< segments that are asked one by one
+constexpr double kBoxRoom = 1e-9;  ///< of the boxes of segments, relative
 constexpr double kLeastRoom = 1e-9;
 
 using Parameters = SphereSweepParameters;
 
 /// The coefficients of a curve's powers by its balls.
 using SplineMatrix = std::array<std::array<double, 4>, 4>;
-constexpr SplineMatrix kCatmullRom = {{{0.0, 1.0, 0.0, 0.0},
-                                       {-0.5, 0.0, 0.5, 0.0},
-                                       {1.0, -2.5, 2.0, -0.5},
-                                       {-0.5, 1.5, -1.5, 0.5}}};
+constexpr SplineMatrix kCatmullRom = {
+    {{0.0, 1.0, 0.0, 0.0}, {-0.5, 0.0, 0.5, 0.0}, {1.0, -2.5, 2.0, -0.5}, {-0.5, 1.5, -1.5, 0.5}}};
 constexpr SplineMatrix kBSpline = {{{1.0 / 6.0, 4.0 / 6.0, 1.0 / 6.0, 0.0},
                                     {-0.5, 0.0, 0.5, 0.0},
                                     {0.5, -1.0, 0.5, 0.0},
@@ -75,7 +73,8 @@ struct SphereSweep {
   Box3 given;
   double tolerance;
 
-  explicit SphereSweep(const Parameters& parameters) : segments(segments_of(parameters)), tolerance(parameters.tolerance) {
+  explicit SphereSweep(const Parameters& parameters)
+      : segments(segments_of(parameters)), tolerance(parameters.tolerance) {
     for (const SweepSegment& segment : segments) {
       boxes.push_back(padded(segment.bounds(), kBoxRoom, kLeastRoom));
       around.extendBy(boxes.back());
@@ -100,7 +99,8 @@ struct SphereSweep {
     thread_local std::vector<Passage> passages;
     passages.clear();
     for_each_met(ray, [&, &line = ray](std::uint32_t i) { add_passages(line, i, passages); });
-    std::stable_sort(passages.begin(), passages.end(), [](const Passage& a, const Passage& b) { return a.depth < b.depth; });
+    std::stable_sort(passages.begin(), passages.end(),
+                     [](const Passage& a, const Passage& b) { return a.depth < b.depth; });
     int within = 1;
     for (std::size_t i = 0; i < passages.size(); ++i) {
       bool is_seen = i == 0 || i + 1 == passages.size();

@@ -116,8 +116,8 @@ class SurfaceTable {
     const Coat* coat = nullptr;
     std::optional<CompiledPattern> pattern;
     bool keeps_length = false;
-    bool by_uv = false;       ///< it or a part of it
-    bool by_surface = false;  ///< likewise
+    bool by_uv = false;                                     ///< it or a part of it
+    bool by_surface = false;                                ///< likewise
     std::vector<std::pair<double, std::uint32_t>> entries;  ///< position or weight, node
   };
   /// On the way down.

@@ -37,10 +37,11 @@ struct LayerColumns {
   Column<double> phong;
   Column<double> phong_size;
   Column<double> metallic;
-  Column<double> crand;  ///< most that chance takes from the diffuse light of one light, of a white surface, however clear
+  Column<double>
+      crand;  ///< most that chance takes from the diffuse light of one light, of a white surface, however clear
   Column<double> crand_back;  ///< the same behind it
-  Column<double> irid;   ///< strength of the colours of a thin film
-  Column<double> film;   ///< its thickness, in the unit of HitBlock::irid_wavelength
+  Column<double> irid;        ///< strength of the colours of a thin film
+  Column<double> film;        ///< its thickness, in the unit of HitBlock::irid_wavelength
 };
 
 /// Hits side by side, to be lit together. Plain data.

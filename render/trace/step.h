@@ -132,8 +132,7 @@ class Stepper {
   /// The columns of one more layer of the hit.
   std::uint32_t next_column(Surface& surface);
   /// `share`: the ray's weight, and what the layers above let through.
-  void lay(std::uint32_t column, std::size_t hit, const SurfaceLayer& layer, const LayerColor& color,
-           const Rgb& share);
+  void lay(std::uint32_t column, std::size_t hit, const SurfaceLayer& layer, const LayerColor& color, const Rgb& share);
   /// Lights all that was met, and lets it send on its rays.
   void shade();
   /// Which hits the lights may shine on, where some are in groups.
@@ -190,7 +189,7 @@ class Stepper {
   Column<std::int64_t> packed_directions_;
   std::array<Hit, kRaysAtOnce> hits_;
   std::unique_ptr<SurfacePlaces> places_;
-  Columns3<double> normals_;  ///< of places_, as the shapes have them
+  Columns3<double> normals_;                   ///< of places_, as the shapes have them
   std::array<Veil, kRaysAtOnce> veils_;        ///< of each ray, where the scene has any
   std::array<Surface, kRaysAtOnce> surfaces_;  ///< block_->size of them
   std::vector<Mirror> mirrors_;

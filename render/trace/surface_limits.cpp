@@ -203,12 +203,12 @@ void Maker::add(const Coat& coat) {
         finish.reflection_metallic >= 0.0 && finish.reflection_metallic <= 1.0 && !pigment.has_negative_color();
     most_kept *= std::max(1.0, std::abs(1.0 - mirror));
     // Light that is both mirrored and passed on is largest at one end of what the mirror may be.
-    kept_at_mirror *=
-        coat.count == 1 && positive ? std::abs(1.0 - mirror) : std::max(1.0, std::abs(1.0 - mirror));
+    kept_at_mirror *= coat.count == 1 && positive ? std::abs(1.0 - mirror) : std::max(1.0, std::abs(1.0 - mirror));
   }
   answer.own = largest(own);
   need(only_takes || is_opaque);  // a feeler may cross any number of surfaces
-  if (passed * most_kept * (1.0 + PigmentLimits::kBlendError) <= scene_.settings.adc_bailout) {  // no ray is sent through
+  if (passed * most_kept * (1.0 + PigmentLimits::kBlendError) <=
+      scene_.settings.adc_bailout) {  // no ray is sent through
     limits_.answers.push_back(answer);
     return;
   }
@@ -241,7 +241,7 @@ SurfaceLimits::SurfaceLimits(const Scene& scene, const SurfaceTable& surfaces, c
   background = sky_limit(scene, proven);
   veil = veil_limits(scene, proven);
   Maker maker(scene, surfaces, origins, *this);
-  // What is between several coats is no more than the one that is most.
+  // Between several coats there is no more than the one that is most.
   for (const Coat& coat : surfaces.coats()) maker.add(coat);
 }
 

@@ -103,9 +103,8 @@ bool surroundings_may_be_negative(const Scene& scene) {
   }
   if (!atmosphere.sky_sphere) return false;
   return is_negative(atmosphere.sky_sphere->emission) ||
-         std::ranges::any_of(atmosphere.sky_sphere->pigments, [](const Pigment& pigment) {
-           return PigmentLimits(pigment, 370).may_turn_negative();
-         });
+         std::ranges::any_of(atmosphere.sky_sphere->pigments,
+                             [](const Pigment& pigment) { return PigmentLimits(pigment, 370).may_turn_negative(); });
 }
 
 }  // namespace firstlight::render

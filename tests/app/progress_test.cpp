@@ -71,7 +71,7 @@ TEST(Summary, SaysWhatEndedAnUnfinishedPicture) {
   stats.end = priority::End::error_reached;
   EXPECT_NE(summary(options, "a.png", stats).find("stopped at an error of 0.01 or less"), std::string::npos);
   stats.end = priority::End::stopped;
-  stats.remaining_is_bound = false;
+  stats.rays.remaining_is_bound = false;
   EXPECT_NE(summary(options, "a.png", stats).find("stopped by the user, about 0.2500 off"), std::string::npos);
   options.write_picture = false;
   EXPECT_TRUE(summary(options, "a.png", stats).starts_with("no picture written: "));

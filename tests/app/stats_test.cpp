@@ -28,7 +28,7 @@ TEST(Stats, HoldEveryNumberUnderItsName) {
   stats.rays.remaining = 0.125;
   stats.rays.rekeying.count = 3;
   stats.end = priority::End::time_over;
-  stats.remaining_is_bound = false;
+  stats.rays.remaining_is_bound = false;
   stats.queue_memory = 1000;
   const auto json = nlohmann::json::parse(to_json(stats));
   EXPECT_EQ(json["scheme"], "level");

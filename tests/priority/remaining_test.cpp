@@ -115,6 +115,7 @@ TEST(Remaining, BoundsTheDifferenceFromTheFinishedPictureAtEveryMoment) {
           for (int y = 0; y < kHeight; ++y) {
             for (int x = 0; x < kWidth; ++x) ASSERT_EQ(film.outstanding(x, y), 0.0) << x << ", " << y;
           }
+          EXPECT_TRUE(result.statistics.remaining_is_bound);
           EXPECT_LE(result.statistics.remaining * kWidth * kHeight,
                     static_cast<double>(result.statistics.rays.total() + kWidth * kHeight) * kStep);
           if (HasFailure()) return;

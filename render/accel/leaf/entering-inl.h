@@ -20,7 +20,7 @@ namespace HWY_NAMESPACE {
 
 namespace hn = hwy::HWY_NAMESPACE;
 
-/// Of the rays in `who` those that meet the box not beyond the search's limit; `from` gets where they enter it.
+/// The bits of those rays in `who` that meet the box not beyond the search's limit; `from` gets where they enter it.
 /// ExactRay::meets() lane by lane, to the bit.
 template <class Search>
 HWY_INLINE std::uint64_t entering(const FloatBox& box, std::uint64_t who, const Search& search, Column<double>& from) {
@@ -46,7 +46,8 @@ HWY_INLINE std::uint64_t entering(const FloatBox& box, std::uint64_t who, const 
       leave = hn::IfThenElse(hn::Lt(leaves, leave), leaves, leave);
     }
     hn::Store(near, d, from.at.data() + i);
-    const auto met = hn::And(hn::Le(near, hn::Mul(leave, hn::Set(d, ExactRay::kAway))), hn::Le(near, load(search.limits())));
+    const auto met =
+        hn::And(hn::Le(near, hn::Mul(leave, hn::Set(d, ExactRay::kAway))), hn::Le(near, load(search.limits())));
     entering |= (bits_of(d, met) & of_vector) << i;
   }
   return entering;
