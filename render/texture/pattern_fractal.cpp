@@ -102,24 +102,52 @@ template <class L>
 HWY_INLINE Complex<L> raised(FourthOf, const L& a, const L& b, const L& a2, const L& b2) {
   return {a2 * a2 - 6.0 * a2 * b2 + b2 * b2, 4.0 * (a2 * a * b - a * b2 * b)};
 }
+/// A number of twice the precision: the sum of both, of which `low` is less than half a unit of the last place of `high`.
+template <class L>
+struct Twofold {
+  L high, low;
+};
+
+/// The upper 26 bits of x (Veltkamp).
+template <class L>
+HWY_INLINE L upper_half(const L& x) {
+  const L shifted = 134217729.0 * x;
+  return shifted - (shifted - x);
+}
+
+/// x y, rounded to twice the precision (Dekker's product).
+template <class L>
+HWY_INLINE Twofold<L> times(const Twofold<L>& x, const L& y) {
+  const L product = x.high * y;
+  const L x1 = upper_half(x.high), y1 = upper_half(y);
+  const L x2 = x.high - x1, y2 = y - y1;
+  const L rest = ((x1 * y1 - product) + x1 * y2 + x2 * y1) + x2 * y2 + x.low * y;
+  const L high = product + rest;
+  return {high, rest - (high - product)};
+}
+
 struct AnyPowerOf {
   int exponent;
 };
 constexpr int kLargestExponent = 33;
+/// Every power is rounded once, as pow() would: orbits that do not leave tell a last bit from another after a few rounds.
 template <class L>
 HWY_INLINE Complex<L> raised(AnyPowerOf power, const L& a, const L& b, const L& /*a2*/, const L& /*b2*/) {
   L powers_of_a[kLargestExponent + 1];
-  powers_of_a[0] = L(1.0);
-  for (int k = 1; k <= power.exponent; ++k) powers_of_a[k] = powers_of_a[k - 1] * a;
+  Twofold<L> power_of_a = {L(1.0), L(0.0)};
+  for (int k = 0; k <= power.exponent; ++k) {
+    powers_of_a[k] = power_of_a.high;
+    power_of_a = times(power_of_a, a);
+  }
   Complex<L> sum = {L(0.0), L(0.0)};
   double coefficient = 1.0;  // of a^(n-k) b^k, without its sign
-  L power_of_b = 1.0;
+  Twofold<L> power_of_b = {L(1.0), L(0.0)};
   for (int k = 0; k <= power.exponent; ++k) {
-    const L term = coefficient * powers_of_a[power.exponent - k] * power_of_b;
+    const L term = coefficient * powers_of_a[power.exponent - k] * power_of_b.high;
     L& part = k % 2 == 0 ? sum.a : sum.b;
     part = k % 4 < 2 ? part + term : part - term;
     coefficient = coefficient * (power.exponent - k) / (k + 1);
-    power_of_b = power_of_b * b;
+    power_of_b = times(power_of_b, b);
   }
   return sum;
 }
