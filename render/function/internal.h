@@ -10,7 +10,7 @@ namespace firstlight::render {
 /// A built-in function of the scene language, which scenes reach by its number: `internal(61)` is a sphere. The
 /// standard include file functions.inc gives them names.
 struct InternalFunction {
-  /// Of x, y, z and the function's own parameters, which follow.
+  /// `p` is x, y, z and the function's own parameters, which follow.
   using Formula = double (*)(const double* p, const Evaluation& evaluation);
   std::size_t number;
   Formula formula;
