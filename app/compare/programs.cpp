@@ -16,7 +16,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// What both programs understand. What is said later counts; where files go, and that nobody looks on, is ours to say.
+/// Switches that both programs understand. Later ones count; where files go, and that nobody looks on, is ours to say.
 std::vector<std::string> switches(const SceneJob& job, const CompareSettings& settings, const Workplace& place) {
   std::vector<std::string> words{"+W320", "+H240", "-A", "-J"};
   for (const fs::path& library : place.libraries()) words.push_back("+L" + library.string());
