@@ -184,7 +184,7 @@ double povray_seconds(std::string_view label, std::string_view printed) {
 
 std::string povray_error(std::string_view printed) {
   const std::vector<std::string> lines = unbroken_lines(printed);
-  // From what says most to what only says that it failed.
+  // The marks go from the one that says most to the one that only says that it failed.
   for (const std::string_view mark : {"Parse Error: ", "Fatal error", "Failed to", "Cannot", "rror: "}) {
     for (const std::string& line : lines) {
       if (line.find(mark) != std::string::npos && line.find("Possible Parse Error") == std::string::npos) {

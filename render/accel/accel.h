@@ -40,7 +40,7 @@ struct FeelerStarts {
   bool from_both_sides = false;  ///< false: nobody asks about feelers that lead against the normal
 };
 
-/// Those of the feelers to one light whose end is known, a bit each. A feeler in neither set has to be traced.
+/// The feelers to one light whose end is known, a bit each. A feeler in neither set has to be traced.
 struct Foreseen {
   std::uint64_t clear = 0;    ///< meets nothing that casts a shadow
   std::uint64_t blocked = 0;  ///< meets something opaque

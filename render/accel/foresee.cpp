@@ -75,7 +75,7 @@ HWY_INLINE Places places_of(const Points& way, std::int32_t side) {
   return {face, place(choose(y, z, x)), place(choose(z, x, y))};
 }
 
-/// Foreseen of the feelers of one vector, a bit a lane.
+/// The feelers of one vector whose end is known, a bit a lane, as in Foreseen.
 struct Sight {
   unsigned clear = 0;
   unsigned blocked = 0;

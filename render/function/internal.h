@@ -17,7 +17,7 @@ struct InternalFunction {
   std::size_t parameters;  ///< x, y and z among them
 };
 
-// By what they are made of, each list in rising order of numbers.
+// The functions by what they are made of, each list in rising order of numbers.
 std::span<const InternalFunction> internal_noise();   ///< internal_noise.cpp: noise and fractals of it
 std::span<const InternalFunction> internal_plane();   ///< internal_plane.cpp: curves of the plane, turned or drawn out
 std::span<const InternalFunction> internal_solids();  ///< internal_solids.cpp: by distances, exponentials, angles

@@ -48,7 +48,8 @@ struct AreaQuarters {
   std::size_t size = 0;
   int times = 1;
 };
-/// Halves an odd number of points so that the middle ones are in both halves. Pre: rectangle.has_quarters().
+/// The quarters of a rectangle; the middle ones of an odd number of points are in both halves. Pre:
+/// rectangle.has_quarters().
 AreaQuarters quarters_of(const AreaRectangle& rectangle);
 
 /// Whether light as it comes from the corners of a rectangle, in their order, differs so much that its quarters have to

@@ -41,7 +41,7 @@ struct SurfaceLayer {
   Rgb reflection{0.0f, 0.0f, 0.0f};
   float strongest = 0.0f;           ///< channel of a reflection, from the angle where it is most; prunes rays
   Rgb own_light{0.0f, 0.0f, 0.0f};  ///< of a white surface
-  // The numbers of Finish from here on, with 0 for those below.
+  // Numbers of Finish, with 0 for those below 0:
   double diffuse = 0.0;
   double specular = 0.0;
   double specular_exponent = 0.0;

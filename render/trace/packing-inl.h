@@ -1,4 +1,4 @@
-// Packing of several numbers at once as ray tasks and the film keep them: PackedRgb, FixedRgb and PackedDirection.
+// Numbers as ray tasks and the film keep them, packed several at once: PackedRgb, FixedRgb and PackedDirection.
 // Included once for each instruction set, so the guard switches back and forth. The bits are the same on every machine.
 #if defined(FIRSTLIGHT_RENDER_TRACE_PACKING_INL_H) == defined(HWY_TARGET_TOGGLE)
 #ifdef FIRSTLIGHT_RENDER_TRACE_PACKING_INL_H
