@@ -28,7 +28,8 @@ class Shadow {
   /// False where of all light either nothing is taken or everything.
   bool takes_parts() const { return takes_parts_; }
   /// Ends the ray to a light that is projected through something at that window: nothing beyond casts a shadow, nor
-  /// does anything if the light is without shadow. False where the ray does not lead through it. `max_depth`: to the light.
+  /// does anything if the light is without shadow. False where the ray does not lead through it. `max_depth`: to the
+  /// light.
   bool end_at_window(const Light& light, const Ray& ray, double& max_depth);
   /// Finds the share that passes of the light along each of the rays, from their least depth to their largest. `media`:
   /// what their origins are in; `lights`: by number. Pre: equal sizes.
