@@ -10,7 +10,7 @@ namespace firstlight::app {
 /// Why tracing ended, in one word: "complete", "stopped", "error-reached", "time-over", "failed".
 std::string end_name(priority::End end);
 
-/// What the user is told at the end: where the picture is, how far it came and what ended it, rays and times.
+/// Tells the user at the end where the picture is, how far it came and what ended it, rays and times.
 std::string summary(const Options& options, const std::string& picture, const Stats& stats);
 
 }  // namespace firstlight::app

@@ -13,7 +13,7 @@ struct IniLine {
   std::vector<std::string> words;
 };
 
-/// What stands before the first section of the file, and in the section of that name if there is a name.
+/// The lines before the first section of the file, and those in the section of that name if there is a name.
 struct IniText {
   std::vector<IniLine> lines;
   std::vector<std::string> sections;  ///< all names that the file has

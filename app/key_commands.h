@@ -7,7 +7,7 @@
 
 namespace firstlight::app {
 
-/// What the keys of a terminal do to a picture in progress.
+/// Commands of a terminal's keys to a picture in progress.
 /// Threads  One.
 class KeyCommands {
  public:

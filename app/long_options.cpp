@@ -96,7 +96,7 @@ void LongOptions::read_word(const std::string& word) {
   } catch (const CLI::CallForHelp&) {
     out_.wish = CommandLine::Wish::help;
   } catch (const CLI::ValidationError& error) {
-    // Of our own readers it says what is wrong with the value; of CLI11's checks also the option.
+    // The message of our own readers says what is wrong with the value; that of CLI11's checks names the option too.
     const std::string what = error.what();
     const std::string name = word.substr(0, word.find('='));
     out_.errors.push_back(what.starts_with(name) ? what : fmt::format("{}: {}", name, what));

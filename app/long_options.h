@@ -27,7 +27,7 @@ class LongOptions {
   bool takes_value(const std::string& name) const;
   /// "--name", or "--name=value".
   void read_word(const std::string& word);
-  /// What --help says of them.
+  /// The text of --help about them.
   std::string help() const;
   /// "--scheme", ...
   std::vector<std::string> names() const;

@@ -14,7 +14,7 @@
 
 namespace firstlight::app {
 
-/// What the user asked for. Defaults are POV-Ray's own without an .ini file.
+/// The user's wishes. Defaults are POV-Ray's own without an .ini file.
 struct Options {
   std::string scene;
   std::string output;  ///< as given with +O; empty: the scene's name in the current folder

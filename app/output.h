@@ -21,12 +21,12 @@ void say_error(std::string_view why) noexcept;
 void say_error_in_lines(std::string_view why) noexcept;
 /// A line that begins with "firstlight: warning: ".
 void say_warning(std::string_view what) noexcept;
-/// What the scene says: `text` without an end of line of our own.
+/// Says `text` of the scene, without an end of line of our own.
 void say_piece(std::string_view text) noexcept;
 /// For what steers the terminal: `text` as it is, or nothing when that would have to wait.
 void draw(std::string_view text) noexcept;
 
-/// What the program was run for, on the standard output. Returns empty, or why not all of it was written.
+/// Prints what the program was run for on the standard output. Returns empty, or why not all of it was written.
 std::string print_result(std::string_view text);
 
 }  // namespace firstlight::app

@@ -24,7 +24,8 @@ class PovOptions {
   void read_setting(const std::string& word);
   void read_declare(std::string_view assignment);
   bool apply(std::string_view word);
-  /// What a setting changes that, unlike the switch of the same meaning, does not also turn something on; else null.
+  /// The number that a setting changes which, unlike the switch of the same meaning, does not also turn something on;
+  /// else null.
   double* number_of_setting(std::string_view name);
   void apply_antialias(Use use, bool on, std::string_view parameter);
   void finish_antialias();

@@ -10,9 +10,9 @@
 
 namespace firstlight::app {
 
-/// What follows the letters of a switch.
+/// Forms of what follows the letters of a switch.
 enum class Form { nothing, integer, number, text };
-/// What the switch means here.
+/// Meanings of switches here.
 enum class Use {
   width,
   height,

@@ -46,7 +46,7 @@ void restore_and_stop(int signal);
 void handle(int signal, void (*handler)(int), int flags) {
   struct sigaction former {};
   sigaction(signal, nullptr, &former);
-  // What the parent wanted ignored, as `nohup` does, stays so; and somebody else's handler stays in its place.
+  // A signal that the parent wanted ignored, as `nohup` does, stays so; and somebody else's handler stays in its place.
   if (former.sa_handler != SIG_DFL && former.sa_handler != handler) return;
   struct sigaction action {};
   action.sa_handler = handler;

@@ -15,7 +15,7 @@
 namespace firstlight::app {
 namespace {
 
-/// Of what `work` takes.
+/// The time that `work` takes.
 template <class Work>
 double seconds_of(const Work& work) {
   const auto begin = std::chrono::steady_clock::now();

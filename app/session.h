@@ -43,7 +43,7 @@ class Session {
   double parse_seconds() const { return parse_seconds_; }
   double build_seconds() const { return build_seconds_; }
 
-  /// What a scheme for a picture may know. `film` may be null.
+  /// The facts that a scheme for a picture may know. `film` may be null.
   priority::SchemeInput scheme_input(const render::Film* film) const;
   /// Everything but the order and those who watch.
   priority::TraceOptions trace_options() const;

@@ -8,7 +8,7 @@
 
 namespace firstlight::app {
 
-/// What --stats writes.
+/// The numbers that --stats writes.
 /// Units  Times in seconds; preview, first_image and total from the start of the process.
 struct Stats {
   std::string scene;

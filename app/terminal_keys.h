@@ -15,7 +15,7 @@ namespace firstlight::app {
 /// Threads  One of its own.
 class TerminalKeys final : public Control {
  public:
-  /// What the keys do is told on `line`.
+  /// Answers to keys are told on `line`.
   explicit TerminalKeys(ProgressLine& line) : line_(line) {}
   ~TerminalKeys() override;
 

@@ -41,7 +41,7 @@ class BlockPool {
   BlockPool& operator=(const BlockPool&) = delete;
 
   std::uint32_t block_size() const { return block_size_; }
-  /// Of one block, with what the pool keeps of it.
+  /// Bytes of one block, with what the pool keeps of it.
   std::size_t block_bytes() const { return block_size_ * sizeof(render::RayTask) + sizeof(Block); }
 
   /// An empty block; null when the budget is used up. Throws std::bad_alloc when the machine has no memory left.
@@ -49,7 +49,7 @@ class BlockPool {
   /// Takes back a block that acquire() gave.
   void release(Block* block);
 
-  /// Of blocks in use.
+  /// Bytes of the blocks in use.
   std::size_t bytes() const { return used_.load(std::memory_order_relaxed) * block_bytes(); }
   /// The most that was in use at any time.
   std::size_t peak_bytes() const;

@@ -38,7 +38,7 @@ struct TraceOptions {
   std::size_t queue_memory = 0;
   /// Rays in a full block; 0: as many as suit the memory.
   std::uint32_t block_size = 0;
-  /// Of pictures: extra samples where contrast asks for them; null: none.
+  /// Extra samples of pictures, where contrast asks for them; null: none.
   const render::AntialiasSettings* antialias = nullptr;
   Observer* observer = nullptr;
   /// Rays between two checkpoints; 0: no checkpoints.

@@ -31,7 +31,7 @@ class SignedScale {
   static constexpr Key kSide = kMagnitudes.count() - 1;
 };
 
-/// What an expression may ask about a ray.
+/// An attribute of a ray that an expression may ask for.
 struct Attribute {
   std::string_view name;
   double (*of)(const RayTask& task, const SchemeInput& input, const Pixels& pixels);

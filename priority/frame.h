@@ -22,15 +22,15 @@
 
 namespace firstlight::priority {
 
-/// What one worker has done, of which the frame knows only now and then: numbers that all workers change would go to
-/// and fro between their processors.
+/// One worker's account, of which the frame knows only now and then: numbers that all workers change would go to and
+/// fro between their processors.
 struct Tally {
   render::RayCounts reported;  ///< rays that the frame knows of
   std::int64_t change = 0;     ///< of what may still come, over all samples, in steps of FixedRgb; not reported
   int batches = 0;             ///< since the last report
 };
 
-/// What the workers share: the pass at hand, how far it all is, and when to rest or to leave.
+/// The state that the workers share: the pass at hand, how far it all is, and when to rest or to leave.
 ///
 /// Threads  All members may be called from any thread, but for refill().
 class Frame {
@@ -40,11 +40,11 @@ class Frame {
 
   const render::TraceContext& context() const { return context_; }
   const std::shared_ptr<const render::SurfaceTable>& surfaces() const { return surfaces_; }
-  /// Of the pass at hand.
+  /// The roots of the pass at hand.
   RootSource& roots() const { return *stage().source; }
   /// To be called when no ray waits and none is being traced. Whether there are roots again, of this pass or of the next.
   bool refill();
-  /// Of all passes.
+  /// The samples of all passes.
   std::uint64_t samples() const { return samples_; }
 
   /// To be called when the light of roots is in the sink.
@@ -85,7 +85,7 @@ class Frame {
   // As Progress has them.
   double remaining() const;
   bool remaining_is_bound() const { return bound_.known(); }
-  /// Of tracing, without pauses and checkpoints.
+  /// The time of tracing, without pauses and checkpoints.
   double seconds() const;
 
  private:

@@ -6,7 +6,7 @@
 
 namespace firstlight::priority {
 
-/// What a mixture is made of.
+/// A member of a mixture, with its weight.
 struct WeightedMember {
   SchemePtr scheme;
   double weight = 1.0;  ///< negative: its last rays become its first

@@ -5,7 +5,7 @@
 namespace firstlight::priority {
 namespace {
 
-// What is believed where nothing is known, and how many rays it takes to believe something else.
+// Beliefs where nothing is known, and how many rays it takes to believe something else.
 constexpr float kLightBefore = 0.4f;
 constexpr float kPassedOnBefore = 0.4f;
 constexpr float kRaysBefore = 0.7f;

@@ -31,7 +31,7 @@ class RayGains {
 
  private:
   static constexpr std::size_t kLevels = 8;
-  /// Of all rays of a level in a square; per ray traced there but `light` and `passed_on`, which are per weight.
+  /// Gains of all rays of a level in a square; per ray traced there but `light` and `passed_on`, which are per weight.
   struct Level {
     RunningRatio light;
     RunningRatio passed_on;  ///< weight of the rays of the next level

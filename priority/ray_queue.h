@@ -20,7 +20,7 @@ namespace firstlight::priority {
 ///
 /// Key      integer in [0, kBuckets); the largest leaves first, equal keys are interchangeable.
 ///          [Yagel & Meeker 1997, section 4]
-///          Of one slot a worker gets the blocks first that it has filled itself: what their rays need is in its
+///          Blocks that a worker has filled itself are the first of a slot that it gets: what their rays need is in its
 ///          caches.
 /// Order    of a version: when the order changes, all that waits becomes stale, and the workers take it out, give it new
 ///          keys and push it again before they trace on.

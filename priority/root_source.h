@@ -34,7 +34,7 @@ class RootSource {
   /// Puts what has not begun in the scheme's order; a version that was seen before changes nothing.
   virtual void sort(const Scheme& /*scheme*/, std::uint64_t /*version*/) {}
 
-  /// What may be seen for the first time.
+  /// The stages of a picture that may be reached for the first time.
   struct Reached {
     bool preview = false;      ///< the whole picture, with holes filled
     bool first_image = false;  ///< the light of every pixel's primary ray

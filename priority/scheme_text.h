@@ -10,7 +10,7 @@
 
 namespace firstlight::priority {
 
-/// What is wrong with the text of a scheme, and where. Thrown inside the folder, caught by Order::parse.
+/// A mistake in the text of a scheme, and its place. Thrown inside the folder, caught by Order::parse.
 struct SchemeError {
   std::size_t at = 0;  ///< bytes before the place
   std::size_t length = 1;
@@ -50,7 +50,7 @@ class SchemeText {
   int integer(std::string_view what);
   /// All up to the parenthesis that closes the one taken last.
   Piece rest_of_parenthesis();
-  /// What comes next, not taken: for messages.
+  /// The piece that comes next, not taken: for messages.
   Piece next();
 
   [[noreturn]] void fail(const Piece& where, std::string message) const;

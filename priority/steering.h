@@ -14,7 +14,7 @@
 
 namespace firstlight::priority {
 
-/// What a user may ask of a picture in progress. None of it changes the finished picture.
+/// A user's requests to a picture in progress. None of it changes the finished picture.
 ///
 /// Threads  Asked from any thread: a terminal, a socket, a test. The workers look at version() once a block, and put
 ///          the waiting rays in their new order side by side with tracing.

@@ -124,7 +124,7 @@ std::uint64_t Worker::trace_block(Block* block) {
   return taken;
 }
 
-// Of two equal slots the queue's block is preferred: it is the fuller one.
+// The queue's block is preferred of two equal slots: it is the fuller one.
 RayQueue::Popped Worker::next_block() {
   if (open_.top_of_full() >= queue_.top()) open_.send_full();
   show_top(open_.top());

@@ -15,7 +15,7 @@
 
 namespace firstlight::priority {
 
-/// What the workers of a queued order share.
+/// The means that the workers of a queued order share.
 struct Shared {
   Shared(const TraceOptions& options, std::uint64_t samples_of_all)
       : pool(options.queue_memory, options.block_size),
@@ -94,7 +94,7 @@ class Worker {
   std::vector<Key> keys_;
   std::vector<render::RayTask> overflow_;
   std::vector<render::RayTask> stale_;
-  // Of the rays that wait, not counted by the queue yet:
+  // Rays that wait and are not counted by the queue yet:
   std::int64_t change_ = 0;
   std::int64_t highest_ = 0;
   int batches_ = 0;

@@ -1,5 +1,5 @@
-# What a folder must not see, not even through the headers that it includes. Fails when a file of the folder includes,
-# over any number of headers, one of a folder that it has to compile without; the way to it is shown.
+# A folder must not see some others, not even through the headers that it includes. Fails when a file of the folder
+# includes, over any number of headers, one of a folder that it has to compile without; the way to it is shown.
 # Run: cmake -DROOT=<repository> -P tests/check_reach.cmake
 
 cmake_minimum_required(VERSION 3.25)

@@ -1,5 +1,6 @@
-// What the sanitizers leave alone, built into every sanitized program so that it holds however the program is started.
-// Installed libraries are not instrumented: ThreadSanitizer cannot see how they synchronise. Nothing of ours is listed.
+// Findings that the sanitizers leave alone, built into every sanitized program so that it holds however the program is
+// started. Installed libraries are not instrumented: ThreadSanitizer cannot see how they synchronise. Nothing of ours
+// is listed.
 
 extern "C" {
 const char* __tsan_default_options();

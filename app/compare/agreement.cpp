@@ -11,7 +11,7 @@
 namespace firstlight::app::compare {
 namespace {
 
-/// What would be read as Markdown stands for itself.
+/// Escapes what would be read as Markdown, so that it stands for itself.
 std::string plain(std::string_view text) {
   std::string out;
   for (const char c : text) {

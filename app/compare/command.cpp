@@ -52,7 +52,7 @@ std::string keep_maps(const fs::path& folder, const render::Picture& first, cons
 
 std::string size_text(const render::Picture& picture) { return fmt::format("{}x{}", picture.width, picture.height); }
 
-/// What the numbers come to, in a few words.
+/// The verdict on the numbers, in a few words.
 std::string verdict(const PictureDifference& difference, Status status, const Thresholds& thresholds) {
   std::string asked;
   if (thresholds.share || !thresholds.psnr) {
@@ -102,7 +102,7 @@ int compare_pictures(const CompareCommandLine& line) {
                exit_code(status));
 }
 
-/// What a person is told of a scene that has no two pictures to compare; lines, the last one without its end.
+/// The message about a scene that has no two pictures to compare; lines, the last one without its end.
 std::string trouble(const SceneRecord& record) {
   const std::string& scene = record.name;
   std::string missing = to_text(record.missing);

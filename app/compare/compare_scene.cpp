@@ -38,7 +38,7 @@ void take_over(SceneRun run, const fs::path& picture, Rendered& out) {
 void render_both(const SceneJob& job, const CompareSettings& settings, const ScratchFolder& scratch, Rendered& povray,
                  Rendered& ours) {
   if (job.povray != nullptr) povray = *job.povray;
-  // What a process frees would be counted as its children's memory, for they begin as its copies.
+  // Freed memory would be counted as that of child processes, for they begin as copies of this one.
   give_back_freed_memory();
   for (int round = 0; round < settings.rounds; ++round) {
     if (job.povray == nullptr) {

@@ -11,7 +11,7 @@
 
 namespace firstlight::app::compare {
 
-/// What a file holds; empty when it cannot be read.
+/// The bytes of a file; empty when it cannot be read.
 std::string read_bytes(const std::filesystem::path& file);
 
 /// A number for what it was given; parts that are given one after the other are kept apart.
@@ -27,7 +27,7 @@ class Digest {
   std::uint64_t state_ = 0xcbf29ce484222325u;
 };
 
-/// What scenes are made of, as digests: two that are equal stand for scenes that render alike.
+/// Digests of what scenes are made of: two that are equal stand for scenes that render alike.
 /// Threads  Any.
 class SceneContent {
  public:
@@ -35,12 +35,12 @@ class SceneContent {
   explicit SceneContent(std::span<const std::filesystem::path> libraries)
       : libraries_(libraries.begin(), libraries.end()) {}
 
-  /// Of the scene, of every file whose name stands between quotes in it or in such a file, and, because names can be
-  /// put together, of every other file beside the scene but for scenes.
+  /// The digest of the scene, of every file whose name stands between quotes in it or in such a file, and, because
+  /// names can be put together, of every other file beside the scene but for scenes.
   std::string of(const std::filesystem::path& scene);
   /// Whether the scene, or a file whose name stands between quotes in it or in such a file, opens files to write into.
   bool writes_files(const std::filesystem::path& scene);
-  /// Of one file; that of nothing when it cannot be read.
+  /// The digest of one file; that of nothing when it cannot be read.
   std::string of_file(const std::filesystem::path& file);
 
  private:

@@ -35,7 +35,8 @@ double mean_of_differences(const render::Picture& a, const render::Picture& b) {
   return static_cast<double>(sum) / static_cast<double>(a.rgb.size());
 }
 
-/// Of the differences of the means of blocks; a block at the border that is smaller counts for as many pixels as it has.
+/// The mean square of the differences of the means of blocks; a smaller block at the border counts for the pixels it
+/// has.
 double mean_square_of_blocks(const render::Picture& a, const render::Picture& b) {
   constexpr int kBlock = 8;
   const auto blocks = static_cast<std::size_t>((a.width + kBlock - 1) / kBlock);

@@ -35,8 +35,8 @@ SceneList read_list(const std::filesystem::path& file, const std::filesystem::pa
 /// The same of the text of a file that is called `label`.
 SceneList parse_list(std::string_view text, const std::string& label, const std::filesystem::path& root);
 
-/// What a scene says of its comparison in comments of its text: `// compare: share 99.9`, `// compare: psnr 35`,
-/// `// compare: ini quick.ini[High]`. What the list says of it goes before.
+/// Reads a scene's wishes for its comparison from comments of its text: `// compare: share 99.9`,
+/// `// compare: psnr 35`, `// compare: ini quick.ini[High]`. Wishes of the list go before.
 void read_wishes(std::string_view scene_text, ListedScene& scene);
 
 }  // namespace firstlight::app::compare

@@ -67,7 +67,7 @@ std::string title_of(const ListCommandLine& line) {
   return subject.stem().string();
 }
 
-/// What a scene came to, in one line.
+/// A scene's outcome, in one line.
 std::string line_of(const SceneRecord& record) {
   std::string text = fmt::format("{}: {}", record.name, status_text(record.status));
   if (record.difference) text += fmt::format(", {:.2f} %", 100.0 * record.difference->share);
@@ -132,7 +132,7 @@ class Watcher {
   std::string problem_;
 };
 
-/// What cannot be written is to be known before hours of rendering. Empty, or what is wrong.
+/// Finds out before hours of rendering whether all outputs can be written. Empty, or what is wrong.
 std::string check_outputs(const ListCommandLine& line) {
   std::string why;
   if (!line.report.empty()) why = check_report_folder(line.report);

@@ -84,7 +84,7 @@ class Reader {
   std::vector<std::string> errors_;
 };
 
-/// What does not fit together.
+/// Adds errors for options that do not fit together.
 void check(ListCommandLine& line) {
   const std::vector<std::string>& subjects = line.common.subjects;
   std::vector<std::string>& errors = line.common.errors;

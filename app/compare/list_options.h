@@ -9,7 +9,7 @@
 
 namespace firstlight::app::compare {
 
-/// What `firstlight compare` was asked for of many scenes.
+/// The command line of `firstlight compare` for many scenes.
 struct ListCommandLine {
   CompareCommandLine common;        ///< its errors are of both
   bool is_asked_for = false;        ///< a list, a folder, several scenes, or something that only this gives

@@ -194,7 +194,7 @@ CompareCommandLine parse_compare_command_line(std::span<const std::string> argum
     line.errors.clear();
     return line;
   }
-  // What goes to the programs is looked at by the same eyes as when it is said to Firstlight itself.
+  // Words for the programs are looked at by the same eyes as words for Firstlight itself.
   std::vector<std::string> words{"scene.pov"};
   words.insert(words.end(), line.settings.words.begin(), line.settings.words.end());
   words.insert(words.end(), line.settings.our_words.begin(), line.settings.our_words.end());

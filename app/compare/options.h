@@ -10,7 +10,7 @@
 
 namespace firstlight::app::compare {
 
-/// What `firstlight compare` was asked for.
+/// The command line of `firstlight compare`.
 struct CompareCommandLine {
   enum class Wish { compare, help };
 

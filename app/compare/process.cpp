@@ -26,7 +26,8 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-/// What the child needs, made ready before it is one: a child of a process of several threads may not allocate.
+/// Arguments and environment of a child, made ready before it is one: the child of a process of several threads may not
+/// allocate.
 class Launch {
  public:
   explicit Launch(const Command& command) : command_(command) {

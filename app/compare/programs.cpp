@@ -16,7 +16,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// What both programs understand. What is said later counts; where files go, and that nobody looks on, is ours to say.
+/// Switches that both programs understand. Later ones count; where files go, and that nobody looks on, is ours to say.
 std::vector<std::string> switches(const SceneJob& job, const CompareSettings& settings, const Workplace& place) {
   std::vector<std::string> words{"+W320", "+H240", "-A", "-J"};
   for (const fs::path& library : place.libraries()) words.push_back("+L" + library.string());
@@ -184,7 +184,7 @@ double povray_seconds(std::string_view label, std::string_view printed) {
 
 std::string povray_error(std::string_view printed) {
   const std::vector<std::string> lines = unbroken_lines(printed);
-  // From what says most to what only says that it failed.
+  // The marks go from the one that says most to the one that only says that it failed.
   for (const std::string_view mark : {"Parse Error: ", "Fatal error", "Failed to", "Cannot", "rror: "}) {
     for (const std::string& line : lines) {
       if (line.find(mark) != std::string::npos && line.find("Possible Parse Error") == std::string::npos) {

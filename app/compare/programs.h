@@ -24,7 +24,7 @@ SceneRun run_povray(const SceneJob& job, const CompareSettings& settings, const 
 /// Its statistics are written beside the picture.
 SceneRun run_firstlight(const SceneJob& job, const CompareSettings& settings, const std::filesystem::path& picture);
 
-/// What the scene asks for and Firstlight cannot render; empty also when it cannot be read at all.
+/// The features that the scene asks for and Firstlight cannot render; empty also when it cannot be read at all.
 std::vector<MissingFeature> missing_features(const SceneJob& job, const CompareSettings& settings);
 
 /// POV-Ray's own measure in what it printed, in seconds: `Trace Time: 0 hours 0 minutes 13 seconds (13.633 seconds)`,

@@ -40,7 +40,7 @@ struct MissingFeature {
   int column = 0;
 };
 
-/// What became of one scene.
+/// The outcome of one scene.
 enum class Status {
   agrees,
   warns,  ///< between the thresholds for failing and for agreeing

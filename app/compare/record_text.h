@@ -9,7 +9,7 @@
 
 namespace firstlight::app::compare {
 
-/// What is told of several runs of a program, or of several ratios.
+/// A summary of several runs of a program, or of several ratios.
 struct Spread {
   double median = 0.0;
   double least = 0.0;
@@ -48,7 +48,7 @@ struct KeptMaps {
 };
 /// The record as record_json.h has it, with the medians of the runs, the ratios and the maps. docs/compare.md has the keys.
 std::string scene_json(const SceneRecord& record, const KeptMaps& kept);
-/// Of two pictures; of `difference` nothing when they could not be compared, `message` then says why.
+/// The record of two pictures; nothing of `difference` when they could not be compared, `message` then says why.
 std::string pictures_json(std::string_view first, std::string_view second, std::string_view status,
                           const PictureDifference* difference, std::string_view message, const KeptMaps& kept);
 

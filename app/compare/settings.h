@@ -13,7 +13,7 @@
 
 namespace firstlight::app::compare {
 
-/// What a program made of a scene, as often as rounds were asked for.
+/// A program's results for a scene, as many as rounds were asked for.
 struct Rendered {
   std::vector<ProgramRun> runs;         ///< a run a round; empty when it failed
   std::filesystem::path picture;        ///< PNG; empty when it failed
@@ -32,7 +32,7 @@ struct SceneJob {
   const Rendered* povray = nullptr;
 };
 
-/// Of 100 pixels, those that must be within 2/255 when nothing else is asked for.
+/// The least number of 100 pixels that must be within 2/255, when nothing else is asked for.
 inline constexpr double kShare = 98.0;
 
 /// From where on two pictures count as the same.

@@ -26,7 +26,7 @@ struct FeatureCount {
 std::optional<double> trace_ratio(const SceneRecord& record);
 std::optional<double> whole_ratio(const SceneRecord& record);
 
-/// What many comparisons come to.
+/// The outcome of many comparisons.
 struct Totals {
   std::size_t scenes = 0;
   std::array<std::size_t, kStatuses> by_status{};

@@ -10,7 +10,7 @@ struct CurvePoint {
   double y = 0.0;
 };
 
-/// Of straight lines from point to point. Pre: x does not decrease.
+/// The area under straight lines from point to point. Pre: x does not decrease.
 double area_under(std::span<const CurvePoint> curve);
 
 /// The least x from which on the curve does not exceed `limit` again; nothing when it ends above.
@@ -19,7 +19,7 @@ std::optional<double> settles_below(std::span<const CurvePoint> curve, double li
 /// On the straight lines from point to point; before the first and behind the last point as there. Pre: not empty.
 double value_at(std::span<const CurvePoint> curve, double x);
 
-/// Of an even number of values the mean of the two in the middle. Pre: not empty.
+/// The middle value; the mean of the two in the middle where their number is even. Pre: not empty.
 double median(std::span<const double> values);
 
 }  // namespace firstlight::app

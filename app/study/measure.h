@@ -12,7 +12,7 @@
 
 namespace firstlight::app {
 
-/// What is to be measured, and how.
+/// A plan says what is to be measured, and how.
 struct StudyPlan {
   struct Entry {
     std::string text;

@@ -50,7 +50,7 @@ void read_own_option(StudyCommandLine& line, const std::string& name, const std:
   }
 }
 
-/// What would change the order or the end of a picture is the study's own affair.
+/// The study itself decides on all that would change the order or the end of a picture.
 void refuse_what_does_not_fit(StudyCommandLine& line) {
   const Options& options = line.options.scene;
   for (const auto& [given, name] :

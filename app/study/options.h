@@ -8,7 +8,7 @@
 
 namespace firstlight::app {
 
-/// What `firstlight study` was asked for.
+/// The command line of `firstlight study`.
 struct StudyOptions {
   Options scene;                     ///< the picture: scene, size, threads, queue memory ...
   std::string folder;                ///< the report's

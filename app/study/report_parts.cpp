@@ -15,7 +15,7 @@ struct Column {
   std::function<std::optional<double>(const SchemeStudy&, const SchemeSummary&)> value;
   std::function<std::string(double)> text;
   bool mark_least = true;
-  /// What follows the number; may be empty.
+  /// Gives the text that follows the number; may be empty.
   std::function<std::string(const SchemeStudy&, const SchemeSummary&)> more = {};
 };
 

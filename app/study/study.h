@@ -22,7 +22,7 @@ struct Moment {
   double bound = 0.0;       ///< priority::Progress::remaining
 };
 
-/// What the picture looked like, as a small PNG.
+/// The picture at a moment, as a small PNG.
 struct MomentPicture {
   double share = 0.0;  ///< of the rays that are traced
   double seconds = 0.0;

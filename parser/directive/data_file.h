@@ -54,7 +54,7 @@ class DataWriter {
   bool is_own_ = true;  // nothing of others is in it
 };
 
-/// What a name means that #fopen has declared: one of both.
+/// A file that #fopen has declared: a reader or a writer.
 class DataFile {
  public:
   std::unique_ptr<DataReader> reader;

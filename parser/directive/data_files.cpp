@@ -205,7 +205,7 @@ void DataFiles::run_read(const Token& word) {
     skip_raw_comma();
   }
   in_.take_raw();
-  // What is behind the last value of a file is not there: `defined` tells.
+  // The name of a file is undeclared behind its last value: `defined` tells.
   if (ended) in_.scopes().remove(handle.symbol);
 }
 

@@ -8,7 +8,7 @@
 
 namespace firstlight::parser {
 
-// What directives ask of the statements, which stand above them: parser/statement/ defines both.
+// Directives ask these of the statements, which stand above them: parser/statement/ defines both.
 
 /// One value to be declared, as after `#declare Name =`, an array element or a macro argument: object, texture,
 /// pigment, finish, interior, material, color_map, camera, light_source, transform. Empty when the next token begins

@@ -1,4 +1,4 @@
-// What happens now and then while a scene is read: the caller is told, and may stop it.
+// Progress of reading a scene: the caller is told now and then, and may stop it.
 #include "parser/directive/interpreter.h"
 
 #include <algorithm>

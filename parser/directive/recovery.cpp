@@ -131,7 +131,7 @@ bool Recovery::may_begin_statement(std::uint32_t index) const {
   return binding != nullptr && std::holds_alternative<std::shared_ptr<const Macro>>(*binding->slot);
 }
 
-// What the text would have declared and did not.
+// Notes the names that the text would have declared and did not.
 void Recovery::note_broken_names(std::uint32_t begin, std::uint32_t end) {
   const std::vector<Token>& tokens = in_.frame().file->tokens;
   for (std::uint32_t i = begin; i + 2 < end; ++i) {

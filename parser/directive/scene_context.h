@@ -13,13 +13,13 @@
 
 namespace firstlight::parser {
 
-/// What a scene has said about radiosity, for what is checked when all is said.
+/// A scene's words about radiosity, for the checks when all is said.
 struct RadiosityText {
   Token word;  ///< of the last block
   bool minimum_reuse = false, maximum_reuse = false;
 };
 
-/// What statements need beside the text: the scene under construction and the defaults that `#default` sets.
+/// Statements need this beside the text: the scene under construction and the defaults that `#default` sets.
 struct SceneContext {
   explicit SceneContext(render::SceneBuilder& scene_builder) : builder(scene_builder) {}
 

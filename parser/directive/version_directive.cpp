@@ -26,7 +26,7 @@ void Interpreter::run_version(const Token& word, bool first) {
   }
 }
 
-// What a scene need not say differs from 3.8 on, unless it has said something by then: the pigment is white, not black,
+// Changes the defaults that differ from 3.8 on, unless the scene has set some by then: the pigment is white, not black,
 // nothing glows, and the camera's picture has square pixels. [POV-Ray 3.8, changes.txt]
 void Interpreter::change_defaults(const Token& word) {
   if (context_.default_given) {

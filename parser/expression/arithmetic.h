@@ -105,7 +105,7 @@ inline bool compare(Punctuation mark, double a, double b) {
   }
 }
 
-/// Of the comparison or the operator `&` or `|`: 1 or 0.
+/// Truth of the comparison or the operator `&` or `|`: 1 or 0.
 inline double truth(Punctuation mark, double a, double b) {
   bool holds = false;
   switch (mark) {

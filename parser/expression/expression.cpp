@@ -96,7 +96,7 @@ Numbers parse_operand_alone(Evaluator& in, std::uint8_t terms) {
   in.fail(token.location, "expected a numeric expression, found " + in.describe_next());
 }
 
-// What the name that is next stands for; null when it is no number or vector.
+// The numbers that the next name stands for; null when it is no number or vector.
 const Numbers* numbers_of_name(Evaluator& in) {
   const Value* const value = in.peek_value();
   return value != nullptr ? std::get_if<Numbers>(value) : nullptr;

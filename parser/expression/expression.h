@@ -19,7 +19,7 @@ class Evaluator;
 // promoted to that many equal ones as soon as it is read, which shows when vectors of different length meet
 // (`<1, 2> + 1` is <2, 3, 1> where a vector of three is due). [POV-Ray 3.7 manual, "Vector Expressions"]
 
-/// What may stand anywhere a value is due: sums of products, no comparisons but in parentheses.
+/// Parses an expression that may stand anywhere a value is due: sums of products, no comparisons but in parentheses.
 Numbers parse_sum(Evaluator& in, std::uint8_t terms);
 /// With comparisons, `&`, `|` and `?:` too, as in parentheses and behind colour words.
 Numbers parse_full_expression(Evaluator& in, std::uint8_t terms);
@@ -42,7 +42,7 @@ Numbers parse_function(Evaluator& in, const Token& word);
 
 /// Division by 0 is infinite, with a warning at the sign `mark`.
 double divide(Evaluator& in, const Token& mark, double a, double b);
-/// Of `.word`; fails where `numbers` has no such component.
+/// The component `.word`; fails where `numbers` has none of that name.
 double pick_component(Evaluator& in, const Token& word, const Numbers& numbers);
 /// "expected a float, found a vector expression", at the expression's first token.
 [[noreturn]] void fail_components(Evaluator& in, const Token& at, std::string_view expected, const Numbers& found);

@@ -79,13 +79,13 @@ class Formula {
   std::uint32_t end() const { return end_; }
   /// Levels of nesting it takes, at most.
   std::size_t depth() const { return depth_; }
-  /// What stands behind it might go on with it, were it a macro or directive, so that nothing may be obeyed there.
+  /// The text behind it might go on with it, were it a macro or directive, so that nothing may be obeyed there.
   bool ends_at_hold() const { return ends_at_hold_; }
 
   /// Whether it is a name and nothing else.
   bool is_name() const { return steps_.size() == 1 && steps_[0].operation == Operation::name; }
 
-  /// Of what the names stand for, kShapeBits each: how many components, and kColorShape of a colour.
+  /// Shape of the values of the names, kShapeBits each: how many components, and kColorShape of a colour.
   using Shape = std::uint64_t;
   static constexpr unsigned kShapeBits = 4, kColorShape = 8;
   static_assert(kMostNames * kShapeBits <= 64);

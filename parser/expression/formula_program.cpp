@@ -21,7 +21,7 @@ render::Vec3 vector_at(const double* components, std::uint8_t size) {
   return vector;
 }
 
-/// What a word is, which is known.
+/// The value of a word, which is known to be a T.
 template <class T>
 const T& as(const Word& word) {
   return *std::get_if<T>(&word.value);

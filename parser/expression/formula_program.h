@@ -33,7 +33,7 @@ class FormulaProgram {
     wide_name,
     unit,
     promote,  ///< from `left` to `size` components
-    // Of two single numbers:
+    // operations on two single numbers
     add,
     subtract,
     multiply,

@@ -200,7 +200,7 @@ class Compiler {
     return true;
   }
 
-  /// What a name outside of the function stands for.
+  /// Emits the value of a name outside of the function.
   void name(const Token& token) {
     const FunctionName* meaning = at_ < scope_.names.size() ? &scope_.names[at_] : nullptr;
     if (meaning == nullptr || (meaning->size == 0 && !meaning->function)) {

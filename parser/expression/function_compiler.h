@@ -13,27 +13,27 @@
 
 namespace firstlight::parser {
 
-/// What is wrong with the body of a function, and where. Thrown by compile_function().
+/// A mistake in the body of a function, and its place. Thrown by compile_function().
 struct FunctionError {
   Location at;
   std::string message;
   std::uint32_t unknown = kNoSymbol;  ///< the name that has no meaning, if that is the mistake
 };
 
-/// What a declared name, or an element of an array, stands for in the body of a function.
+/// The meaning of a declared name, or of an element of an array, in the body of a function.
 struct FunctionName {
   std::array<double, 5> values{};
   std::uint8_t size = 0;         ///< of a number or vector; 0: it is none
   render::FunctionPtr function;  ///< null: it is none
 };
 
-/// What words mean in the body of a function, beside the words of the language.
+/// Meanings of words in the body of a function, beside the words of the language.
 struct FunctionScope {
   /// Names of the parameters, in their order; they hide whatever else is called so, words of the language too.
   std::span<const std::string_view> parameters;
   /// For each token what its name stands for; may be empty.
   std::span<const FunctionName> names;
-  /// Of x, y, z, u and v those that are no parameter are words of their own: u is x, v is y, and what is missing
+  /// Those of x, y, z, u and v that are no parameter are words of their own: u is x, v is y, and what is missing
   /// altogether is 0. [POV-Ray 3.7] Otherwise they are errors.
   bool has_coordinates = false;
   double clock = 0.0;

@@ -177,7 +177,7 @@ constexpr auto make_words() {
       {K::sqrt, number, square_root, Operation::square_root},
       {K::tan, number, of_one([](double a) { return std::tan(a); }), Operation::tangent},
       {K::tanh, number, of_one([](double a) { return std::tanh(a); }), Operation::hyperbolic_tangent},
-      // Of two, and of any count.
+      // Functions of two numbers, and of any count.
       {K::atan2, number, arc_tangent, Operation::arc_tangent_of_two},
       {K::div, number, quotient, Operation::integer_quotient},
       {K::mod, number, remainder, Operation::remainder},
@@ -187,14 +187,14 @@ constexpr auto make_words() {
       {K::bitwise_xor, number, kXor, {}},
       {K::max, number, kMax, Operation::maximum},
       {K::min, number, kMin, Operation::minimum},
-      // Of vectors.
+      // Functions of vectors.
       {K::vaxis_rotate, vector, kTurnAbout, {}},
       {K::vcross, vector, kCross, {}},
       {K::vdot, number, kDot, {}},
       {K::vlength, number, kLength, {}},
       {K::vnormalize, vector, kNormalize, {}},
       {K::vrotate, vector, kTurn, {}},
-      // What reads its arguments itself, or has none.
+      // Words that read their arguments themselves, or have none.
       {K::asc, number, parse_asc, {}},
       {K::clock, number, parse_clock, {}},
       {K::clock_on, number, Word::Constant{0.0}, {}},

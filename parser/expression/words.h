@@ -14,7 +14,7 @@ namespace firstlight::parser {
 
 class Evaluator;
 
-/// What a word begins in an expression.
+/// Kinds of what a word begins in an expression.
 enum class WordKind : std::uint8_t { other, number, vector, color, string };
 
 /// A word that may stand in an expression: a row of the table in words.cpp. All that reads expressions asks it: the text
@@ -55,7 +55,7 @@ struct Word {
   Keyword keyword = Keyword::none;
   WordKind kind = WordKind::other;
   std::variant<std::monostate, Constant, Unit, OfOne, OfTwo, Fold, OfVectors, Reader, StringReader> value;
-  /// What it is in the body of a function, if that is one instruction.
+  /// Its instruction in the body of a function, if that is one.
   std::optional<render::Operation> operation;
 };
 
@@ -63,7 +63,7 @@ struct Word {
 const Word& word_of(Keyword word);
 inline WordKind word_kind(Keyword word) { return word_of(word).kind; }
 
-/// What a fold of numbers comes to at its end.
+/// The value of a fold of numbers at its end.
 double fold_end(const Word::Fold& fold, double so_far);
 
 }  // namespace firstlight::parser

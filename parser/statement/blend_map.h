@@ -19,7 +19,7 @@ constexpr std::uint32_t kMaxDescriptionDepth = 400;
 /// Puts a description of depth `below` into one of depth `depth`; fails at `word` when they nest too deeply.
 void nest(Reader& reader, const Token& word, std::uint32_t& depth, std::uint32_t below);
 
-// What a map must know of its entries.
+// Take from an entry what its map must know.
 void absorb(render::PigmentMap& map, const render::Pigment& pigment);
 void absorb(render::NormalMap& map, const render::Normal& normal);
 void absorb(render::SlopeMap& map, const render::SlopePoint& point);

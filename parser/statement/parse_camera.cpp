@@ -33,7 +33,7 @@ struct Draft {
 
 bool is_flat(CameraKind kind) { return kind == CameraKind::perspective || kind == CameraKind::orthographic; }
 
-/// What follows `angle`.
+/// Parses what follows `angle`.
 void parse_angle(Reader& reader, Draft& draft) {
   const Token& at = reader.peek();
   Camera& camera = draft.camera;
@@ -246,7 +246,7 @@ void warn_if_skewed(Reader& reader, const Token& word, const Camera& camera) {
     reader.warn(word, "the vectors of the camera are not at right angles; 'look_at' as the last word may help");
 }
 
-/// What the finished camera asks for: at its words, or where a camera that it began with has asked for it.
+/// Notes the features of the finished camera: at its words, or where a camera that it began with has asked for them.
 void note_features(const Token& word, const Draft& draft, Camera& camera) {
   const render::FeatureUses before = std::exchange(camera.unrendered, {});
   const auto note = [&](render::Feature feature, const Token& own) {

@@ -27,7 +27,7 @@ FilteredColor color_of(const Numbers& numbers) {
   return FilteredColor{render::Rgb(part(0), part(1), part(2)), part(3), part(4)};
 }
 
-/// What follows the `[`: a position and a colour, or in old scenes two positions and two colours.
+/// Parses what follows the `[`: a position and a colour, or in old scenes two positions and two colours.
 void parse_entry(Reader& reader, ColorMap& map) {
   ColorMapEntry first;
   first.position = position(finite_number(reader, "position in 'color_map'"));

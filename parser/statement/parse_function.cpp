@@ -113,12 +113,12 @@ render::FunctionPtr parse_internal(Reader& reader, const Token& word) {
   return function;
 }
 
-/// What the scene has said of patterns so far.
+/// The scene's settings for patterns so far.
 render::PatternWorld pattern_world(Reader& reader, const SceneContext& context) {
   return {reader.interpreter().language().noise_generator(), context.builder.settings().number_of_waves};
 }
 
-/// What may stand in a function's block instead of an expression. Null: none of it.
+/// Parses what may stand in a function's block instead of an expression. Null: none of it.
 render::FunctionPtr parse_special(Reader& reader, SceneContext& context) {
   const Token& word = reader.peek();
   if (word.kind != TokenKind::keyword) return nullptr;

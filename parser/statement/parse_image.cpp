@@ -103,7 +103,7 @@ render::Vec2 parse_pair(Reader& reader, std::string_view what) {
   return pair;
 }
 
-/// What may be said of every picture. `strict`: an image_map, which takes fewer numbers.
+/// Accepts a word that may be said of every picture. `strict`: an image_map, which takes fewer numbers.
 bool accept_placement(Reader& reader, ImageUse& image, bool strict) {
   if (reader.accept(Keyword::once)) {
     image.once = true;

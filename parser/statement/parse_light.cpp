@@ -217,7 +217,7 @@ void make_oriented_circular(Reader& reader, const Token& word, Light& light) {
   light.circular = true;
 }
 
-/// What the finished light asks for.
+/// Notes the features of the finished light.
 void note_features(Draft& draft) {
   Light& light = draft.light;
   const auto note = [&](bool asked, Feature feature, const Token& word) {

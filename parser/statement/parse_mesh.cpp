@@ -43,7 +43,7 @@ void parse_triangle_textures(Reader& reader, Triangle& triangle) {
   }
 }
 
-/// What follows the corners of a triangle, and its `}`.
+/// Parses what follows the corners of a triangle, and its `}`.
 void parse_triangle_end(Reader& reader, Triangle& triangle) {
   if (reader.accept(Keyword::uv_vectors)) {
     triangle.uv.emplace();

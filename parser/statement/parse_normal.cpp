@@ -13,7 +13,7 @@ using render::PatternKind;
 
 namespace {
 
-/// What `accuracy` is for patterns with edges, whatever was said before.
+/// `accuracy` of patterns with edges, whatever was said before.
 constexpr double kDefaultAccuracy = 0.02;
 
 class NormalOwner final : public PatternOwner {

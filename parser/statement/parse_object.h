@@ -15,7 +15,7 @@ constexpr std::uint64_t kMaxObjects = 4'000'000;
 /// A declared object, if the next token names one.
 std::optional<render::Object> accept_declared_object(Reader& reader);
 
-/// What may follow the geometry of any object, and the `}` that closes it. `word` began the object.
+/// Parses what may follow the geometry of any object, and the `}` that closes it. `word` began the object.
 void parse_modifiers(Reader& reader, SceneContext& context, const Token& word, render::Object& object);
 
 /// `radiosity { importance n }`; nothing when the block is empty. The word has been taken.

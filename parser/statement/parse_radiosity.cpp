@@ -58,7 +58,7 @@ void parse_file(Reader& reader, const Token& word) {
       word, quoted(word) + " of 'radiosity' is ignored, as it is by POV-Ray 3.7: it is an option of the command line");
 }
 
-/// What bounds the work.
+/// Accepts a word that bounds the work.
 bool accept_limit(Reader& reader, RadiositySettings& settings) {
   const Token& word = reader.peek();
   if (reader.accept(Keyword::count)) {
@@ -85,7 +85,7 @@ bool accept_limit(Reader& reader, RadiositySettings& settings) {
   return true;
 }
 
-/// What the light is like.
+/// Accepts a word about the light.
 bool accept_quality(Reader& reader, RadiositySettings& settings, RadiosityText& text) {
   const Token& word = reader.peek();
   if (reader.accept(Keyword::brightness)) {
@@ -147,7 +147,7 @@ void check_radiosity(Reader& reader, SceneContext& context) {
                             settings.pretrace_end, settings.pretrace_start));
   }
   if (!(settings.minimum_reuse > 0.5 * settings.maximum_reuse)) return;
-  // What the scene does not say gives way.
+  // The bound that the scene does not say gives way.
   if (!text.minimum_reuse) {
     settings.minimum_reuse = 0.5 * settings.maximum_reuse;
     reader.warn(text.word, fmt::format("'maximum_reuse' is less than twice 'minimum_reuse', which becomes {}",

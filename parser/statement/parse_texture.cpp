@@ -87,7 +87,7 @@ void set_no_bump_scale(Draft& draft) {
   top.patterned = std::move(pattern);
 }
 
-/// What textures had in version 1, beside blocks.
+/// Accepts what textures had in version 1, beside blocks.
 bool accept_old(Reader& reader, SceneContext& context, Draft& draft) {
   if (const auto declared = reader.accept_declared<Texture>()) {
     reader.warn(reader.peek(), "this texture replaces what stands before it");
@@ -199,7 +199,7 @@ TexturePtr parse_texture(Reader& reader, SceneContext& context, const Token& wor
 
 namespace {
 
-/// What is there already, with the transformations that came after it made part of it.
+/// Makes the transformations that came after a texture part of it.
 void settle(TexturePtr& texture, Transform& placement) {
   if (placement.is_identity()) return;
   texture = moved(texture, placement);

@@ -8,7 +8,7 @@
 
 namespace firstlight::parser {
 
-/// What a pattern stands in.
+/// Places that a pattern stands in.
 enum class PatternPlace { pigment, normal, texture, density };
 
 /// A block under way that is made of a pattern and a map: what parse_pattern() asks of pigments, normals, textures and
@@ -28,11 +28,11 @@ class PatternOwner {
   virtual void parse_color(Reader& reader) = 0;
   /// Up to `count` entries of a list pattern; what is not given has its default.
   virtual void parse_list(Reader& reader, SceneContext& context, std::size_t count) = 0;
-  /// What stands behind `uv_mapping`: the contents of one more block of this kind.
+  /// Parses what stands behind `uv_mapping`: the contents of one more block of this kind.
   virtual void parse_item(Reader& reader, SceneContext& context) = 0;
   /// The block behind image_map or bump_map.
   virtual void parse_image(Reader&, SceneContext&, const Token&) {}
-  /// What may stand between the pattern and its modifiers.
+  /// Parses what may stand between the pattern and its modifiers.
   virtual void parse_amount(Reader&) {}
   /// Takes a map or another word of this kind alone. False: the next token is none.
   virtual bool accept_word(Reader& reader, SceneContext& context) = 0;

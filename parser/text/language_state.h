@@ -19,10 +19,10 @@ class LanguageState {
   /// `first` when nothing significant stands before the directive.
   void set_version(int version, bool first);
 
-  /// What the bytes of a string literal mean that are not ASCII.
+  /// The meaning of the bytes of a string literal that are not ASCII.
   render::Charset charset() const { return charset_; }
   void set_charset(render::Charset charset) { charset_ = charset; }
-  /// Of functions and of patterns that choose none: what global_settings say, or else the version's.
+  /// The generator of functions and of patterns that choose none: the one in global_settings, or else the version's.
   int noise_generator() const { return noise_generator_ != 0 ? noise_generator_ : version_ >= 350 ? 2 : 1; }
   void set_noise_generator(int generator) { noise_generator_ = generator; }
 

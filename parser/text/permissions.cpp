@@ -125,7 +125,7 @@ bool Permissions::parse_rule(std::string_view line, const Places& places) {
     folder = folder.substr(1, folder.size() - 2);
   }
   if (folder.empty()) return false;
-  // Of a home that there is none of, nothing is permitted.
+  // Nothing is permitted in a home that there is none of.
   if (places.home.empty() && folder.find("%HOME%") != std::string_view::npos) return true;
   std::string name = with_place(std::string(folder), "%INSTALLDIR%", places.install);
   name = with_place(std::move(name), "%HOME%", places.home);

@@ -15,17 +15,18 @@ namespace firstlight::parser {
 /// Order    Paths that are asked for are canonical: symbolic links and `..` are resolved before.
 class Permissions {
  public:
-  /// What stands for the places that a .conf names.
+  /// The places that a .conf names.
   struct Places {
     std::filesystem::path install, home, working;
   };
   /// Where this process finds them.
   static Places places();
 
-  /// What holds when nobody says anything else: reading POV-Ray's include files and examples; reading and writing in the
-  /// working folder and below. Hidden files and folders there are left alone, and of the root folder what is below.
+  /// The permissions when nobody says anything else: reading POV-Ray's include files and examples; reading and writing
+  /// in the working folder and below. Hidden files and folders there are left alone, and of the root folder what is
+  /// below.
   static Permissions built_in(const Places& places);
-  /// `text` of a .conf file; what it says that has no meaning goes to `problems` as "line 3: ...".
+  /// Reads the `text` of a .conf file; lines of it that have no meaning go to `problems` as "line 3: ...".
   static Permissions parse(std::string_view text, const Places& places, std::vector<std::string>& problems);
 
   /// Reading in that folder and below, but for what is hidden there.

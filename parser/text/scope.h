@@ -56,7 +56,7 @@ class Scopes {
   const Slot& target(std::uint32_t symbol, Reach reach);
   /// Binds the name in the current scope, over any other meaning.
   void bind(std::uint32_t symbol, Slot slot);
-  /// What bytes_of() gives for all values together; one that goes by several names counts once.
+  /// The bytes_of() of all values together; one that goes by several names counts once.
   std::size_t bytes() const;
   /// All names that have a value.
   std::vector<std::string> declared_names(const Symbols& symbols) const;

@@ -211,8 +211,8 @@ void SourceFiles::forget(const fs::path& canonical) {
   }
 }
 
-// What may not be read is as if it were not there, so that nothing is told about it: whether a name leads out is seen by
-// the name alone.
+// A file that may not be read is as if it were not there, so that nothing is told about it: whether a name leads out is
+// seen by the name alone.
 SourceFiles::Found SourceFiles::find(const std::vector<std::string>& names, const SourceFile& from) const {
   // The current directory's files keep the name they were asked for, which makes for short messages.
   std::vector<fs::path> folders = {fs::path()};

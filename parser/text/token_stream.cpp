@@ -45,7 +45,7 @@ void TokenStream::settle() {
   settle_step_by_step();
 }
 
-// What is obeyed, called or looked up before something can be shown.
+// Obeys, calls and looks up until something can be shown.
 void TokenStream::settle_step_by_step() {
   for (;;) {
     Frame& frame = frames_.back();

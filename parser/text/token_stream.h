@@ -49,7 +49,7 @@ class TokenStream {
     count(token.keyword);
     return token;
   }
-  /// What the name that peek() gives is declared as, or the array's element it picks; null for any other token.
+  /// The declared value of the name that peek() gives, or of the array's element it picks; null for any other token.
   const Value* peek_value() { return peek().kind == TokenKind::identifier ? next_value_ : nullptr; }
   /// The place of that value and the scope of the name. Pre: peek_value().
   Scopes::Binding peek_binding() const;
@@ -141,7 +141,7 @@ class TokenStream {
   /// "; did you mean 'sphere'?", or nothing when no reserved word and no declared name is like `word`.
   std::string suggestion(std::string_view word) const;
   void report(const render::Diagnostic& message);
-  // What those are made of: a mistake, and notes of the macros and included files on the way to it.
+  // The error for those: a mistake, and notes of the macros and included files on the way to it.
   SyntaxError error_at(const Location& at, std::string message);
   void add_call_chain(render::Diagnostics& messages) const;
   /// Just behind the token that was taken last.
@@ -169,7 +169,7 @@ class TokenStream {
   const Token& take_raw();
   /// Takes the `local.` or `global.` that stands before a name, if any; of `local["Name"]` the word.
   Scopes::Reach take_reach();
-  /// What stands behind that, mostly a name. One that a string gives is made a token.
+  /// Takes the token behind that, mostly a name. One that a string gives is made a token.
   const Token& take_prefixed(Scopes::Reach reach);
   /// Gives up the token that peek() has shown, if any, so that reading goes on before it.
   void unsettle() {
@@ -225,9 +225,9 @@ class TokenStream {
   SourceFiles& files() { return files_; }
   const SourceFiles& files() const { return files_; }
   const render::LoadOptions& options() const { return options_; }
-  /// What a part of an array or a dictionary is picked for: to be read, to be written, or to see whether it is there.
+  /// Purposes of picking a part of an array or a dictionary: to read it, to write it, or to see whether it is there.
   enum class Pick { value, target, test };
-  /// What `#declare deprecated` says of a name.
+  /// A name's `#declare deprecated`.
   struct Deprecation {
     std::string message;
     bool once = false;  ///< a warning at the first use is enough

@@ -40,7 +40,7 @@ struct FeelerStarts {
   bool from_both_sides = false;  ///< false: nobody asks about feelers that lead against the normal
 };
 
-/// Of the feelers to one light, a bit each. What is in neither has to be traced.
+/// The feelers to one light whose end is known, a bit each. A feeler in neither set has to be traced.
 struct Foreseen {
   std::uint64_t clear = 0;    ///< meets nothing that casts a shadow
   std::uint64_t blocked = 0;  ///< meets something opaque
@@ -73,9 +73,9 @@ class Accel {
   /// Bit i is set when any opaque part lies on ray i.
   std::uint64_t occluded(const RayBlock& rays) const;
 
-  /// What feelers will meet, as far as that is quickly told: bit i of foreseen[l] is of that from start i to lights[l].
-  /// `first` is the number of the first of the lights. Nothing is told of lights that are no points, as parallel ones.
-  /// Pre: foreseen has room for lights.size.
+  /// Foresees what feelers will meet, as far as that is quickly told: bit i of foreseen[l] is of the feeler from start
+  /// i to lights[l]. `first` is the number of the first of the lights. Nothing is told of lights that are no points, as
+  /// parallel ones. Pre: foreseen has room for lights.size.
   void foresee(const FeelerStarts& starts, std::size_t first, std::span<const Light> lights,
                std::span<Foreseen> foreseen) const;
 

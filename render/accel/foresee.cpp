@@ -1,4 +1,4 @@
-// What feelers meet, as the light buffer has it: several points at a time.
+// The light buffer's answers to what feelers meet, for several points at a time.
 
 #include "render/accel/light_buffer.h"
 
@@ -75,7 +75,7 @@ HWY_INLINE Places places_of(const Points& way, std::int32_t side) {
   return {face, place(choose(y, z, x)), place(choose(z, x, y))};
 }
 
-/// Of the feelers of a vector, a bit a lane: as Foreseen.
+/// The feelers of one vector whose end is known, a bit a lane, as in Foreseen.
 struct Sight {
   unsigned clear = 0;
   unsigned blocked = 0;
@@ -100,7 +100,7 @@ HWY_INLINE auto blocked_by_spheres(const LightBuffer& buffer, hn::VFromD<N> sphe
   return hn::And(meeting.met, hn::Or(counts(meeting.enters), counts(meeting.leaves)));
 }
 
-/// What the lanes in `open` meet, planes left aside.
+/// Finds what the lanes in `open` meet, planes left aside.
 HWY_INLINE Sight look_through(const LightBuffer& buffer, unsigned open, hn::VFromD<N> cell, const Points& at,
                               const Points& way) {
   const D d;
@@ -131,7 +131,7 @@ HWY_INLINE Sight look_through(const LightBuffer& buffer, unsigned open, hn::VFro
   return sight;
 }
 
-/// Of one light: where the ways to the starts lead through.
+/// The cells that the ways from one light to the starts lead through.
 struct Ways {
   std::uint64_t wanted = 0;
   std::uint64_t open = 0;  ///< through a cell

@@ -30,7 +30,7 @@ struct Leaves {
 
   explicit Leaves(const Scene& scene);
 
-  // Of a leaf of one solid: neither a node nor spheres.
+  // Pre of both: `ref` is a leaf of one solid, neither a node nor spheres.
   const LeafHead& head(ChildRef ref) const {
     return ref.kind() == ChildKind::box ? boxes[ref.index()].head : solids[ref.index()].head;
   }

@@ -16,7 +16,7 @@ constexpr std::size_t kMostOpenTiles = std::size_t{1} << 13;  ///< with cells of
 constexpr std::size_t kMostMarks = std::size_t{4} << 20;
 constexpr std::size_t kFewMarks = std::size_t{1} << 16;  ///< for a scene of a few things
 constexpr std::size_t kMarksOfOne = 32;                  ///< more for each thing and light
-/// What is seen through so few cells is not looked at more closely.
+/// A thing seen through so few cells is not looked at more closely.
 constexpr std::size_t kFewCells = 4;
 
 constexpr double kNearer = 1.0 - 1e-6;  ///< room of distances
@@ -37,7 +37,7 @@ Vec3 center_of(const SphereBlock& block, std::size_t lane) {
   return {block.center[0][lane], block.center[1][lane], block.center[2][lane]};
 }
 
-/// What has no bounds is seen everywhere.
+/// A thing without bounds is seen everywhere.
 bool all_have_bounds(const Leaves& leaves) {
   return std::ranges::all_of(leaves.beside, [&](ChildRef ref) {
     return ref.kind() != ChildKind::sphere && !casts_shadow(leaves.head(ref).hidden_from);
@@ -216,7 +216,8 @@ class LightBuffer::Builder {
       const Vec3 there(face.negative ? -way[face.axis] : way[face.axis], way[face.u], way[face.v]);
       for (int v = cells[f].v0; v <= cells[f].v1; ++v) {
         for (int u = cells[f].u0; u <= cells[f].u1; ++u) {
-          // Of the ray through the cell's middle; those through its corners differ by at most `spread`.
+          // The distance is that of the ray through the cell's middle; of those through its corners it differs by at
+          // most `spread`.
           const Vec3 middle(1.0, buffer_.cube_.middle(u), buffer_.cube_.middle(v));
           const double length = middle.length();
           const double spread = distance * half_diagonal / (length - half_diagonal);

@@ -12,8 +12,8 @@
 
 namespace firstlight::render {
 
-/// What is seen from each light in each direction, planes left out: by it most feelers are told to be clear or blocked,
-/// so they need no tree, and need not wait.
+/// The view from each light in each direction, planes left out: by it most feelers are told to be clear or blocked, so
+/// they need no tree, and need not wait.
 ///
 /// Cells    Directions are the cells of a cube around the light, see CubeCells. Cells come in tiles; a tile through
 ///          which nothing is seen that casts a shadow has no cells of its own.
@@ -27,14 +27,14 @@ class LightBuffer {
   static constexpr int kTile = 8;  ///< cells along an edge of a tile
   static constexpr std::uint32_t kCellsOfTile = kTile * kTile;
 
-  /// What casts shadows through a cell. Distances are from the light, with room for rounding.
+  /// The things that cast shadows through a cell. Distances are from the light, with room for rounding.
   struct Cell {
     float first = FloatBox::kInfinity;   ///< nothing is nearer
     float second = FloatBox::kInfinity;  ///< nothing but `sphere` is nearer
     float dark = FloatBox::kInfinity;    ///< all points beyond are in the shadow of one sphere
     std::uint32_t sphere = kNoIndex;     ///< into spheres(): the nearest thing, if it is an opaque one
   };
-  /// What else may be met, seen from a light.
+  /// Everything beside the cells that may be met, seen from a light.
   struct Around {
     double limit = FloatBox::kInfinity;  ///< of the distances at which anything can be told to be clear
     std::vector<PlaneLeaf> walls;        ///< of boxes that the light is in

@@ -1,4 +1,4 @@
-// What is looked for among the leaves: the nearest crossing, or any opaque one. A search says which leaves it sees and
+// Searches among the leaves: for the nearest crossing, or for any opaque one. A search says which leaves it sees and
 // takes what they offer; how a leaf is met is its kind's own affair.
 // Included once for each instruction set, so the guard switches back and forth.
 #if defined(FIRSTLIGHT_RENDER_ACCEL_SEARCH_INL_H) == defined(HWY_TARGET_TOGGLE)
@@ -29,7 +29,7 @@ HWY_BEFORE_NAMESPACE();
 namespace firstlight::render {
 namespace HWY_NAMESPACE {
 
-/// What both searches have.
+/// The part that both searches share.
 class BlockSearch {
  public:
   BlockSearch(const Leaves& leaves, const RayBlock& rays, FloatRays& float_rays)
@@ -98,7 +98,7 @@ class ClosestSearch : public BlockSearch {
   }
 
   static constexpr bool kAsksForOpaque = false;
-  /// Of the rays in `who` those that see the leaf.
+  /// Returns those of the rays in `who` that see the leaf.
   std::uint64_t seeing(std::uint64_t who, const LeafHead& head) const { return without_hidden(who, head.hidden_from); }
 
   /// Crossings of one solid are offered last first; the first of equals stays.
@@ -116,7 +116,7 @@ class ClosestSearch : public BlockSearch {
     float_rays_.last[i] = FloatRays::above(depth);
   }
 
-  /// Of one solid.
+  /// Offers the crossings of one solid.
   HWY_INLINE void offer_all(std::size_t i, const std::vector<Crossing>& crossings, const SolidLeaf& leaf, double from) {
     LeafHead head = leaf.head;
     if (leaf.is_cramped) return offer_cramped(i, crossings, head, from);
@@ -176,7 +176,7 @@ class BlockingSearch : public BlockSearch {
   }
 
   static constexpr bool kAsksForOpaque = true;
-  /// Of the rays in `who` those that see the leaf and are not blocked.
+  /// Returns those of the rays in `who` that see the leaf and are not blocked.
   std::uint64_t seeing(std::uint64_t who, const LeafHead& head) const {
     return head.opaque ? without_hidden(who & ~blocked_, head.hidden_from) : 0;
   }
@@ -191,7 +191,7 @@ class BlockingSearch : public BlockSearch {
     limits_[i] = std::numeric_limits<double>::lowest();  // it looks no further
     float_rays_.last[i] = std::numeric_limits<float>::lowest();
   }
-  /// Of one solid.
+  /// Offers the crossings of one solid.
   HWY_INLINE void offer_all(std::size_t i, const std::vector<Crossing>& crossings, const SolidLeaf& leaf, double from) {
     for (const Crossing& crossing : crossings) {
       if (!leaves_.opaque_parts[crossing.part]) continue;

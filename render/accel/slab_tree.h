@@ -25,7 +25,7 @@ class SlabTree {
     std::uint32_t count = 0;  ///< 0: a leaf
   };
 
-  /// Of extents in the order of the scene text; at least one.
+  /// Pre: `extents` has at least one, in the order of the scene text.
   explicit SlabTree(std::span<const Extent> extents);
 
   std::uint32_t root() const { return root_; }

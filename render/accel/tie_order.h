@@ -10,7 +10,7 @@
 
 namespace firstlight::render {
 
-/// What is seen of things that lie in one place.
+/// Decides which of several things that lie in one place is seen.
 ///
 /// The first that is asked stays, if others are met at the same depth: so the order in which a ray asks solids is seen.
 /// It also counts where depths differ by their last bits alone, because what is entered behind the nearest crossing is
@@ -30,7 +30,7 @@ class TieOrder {
   /// Depths in doubt differ by at most this part of the nearer.
   static constexpr double kDoubt = 0x1p-24;
 
-  /// What is seen along ray i.
+  /// Finds what is seen along ray i.
   Hit seen(const RayBlock& rays, std::size_t i) const;
 
  private:

@@ -11,7 +11,8 @@
 
 namespace firstlight::render {
 
-/// What hangs in a slot of a node: an inner node, a group of spheres, or one other leaf. There is room for eight kinds.
+/// Kinds of what hangs in a slot of a node: an inner node, a group of spheres, or one other leaf. There is room for
+/// eight.
 enum class ChildKind : std::uint32_t { node = 0, sphere, box, solid };
 
 /// A kind and a number of it; the kind is in the highest bits.
@@ -74,9 +75,9 @@ class WideTree {
   bool built() const { return built_; }
   /// The root is the first; none for an empty tree.
   const std::vector<WideNode>& nodes() const { return nodes_; }
-  /// What the references to spheres in nodes() stand for.
+  /// The groups that the references to spheres in nodes() stand for.
   const std::vector<SphereGroup>& sphere_groups() const { return sphere_groups_; }
-  /// Of all nodes, with the same room.
+  /// The bounds of all nodes, with the same room.
   const FloatBox& bounds() const { return bounds_; }
   const FloatLimits& float_limits() const { return float_limits_; }
 

@@ -61,7 +61,7 @@ struct Camera {
 void look_at(Camera& camera, const Vec3& target);
 /// Sets the length of `direction` so that `right` spans `degrees`; pre: 0 < degrees < 180.
 void set_angle(Camera& camera, double degrees);
-/// Of an orthographic camera: makes the picture plane as large as it looks at the distance of `look_at`.
+/// Makes an orthographic camera's picture plane as large as it looks at the distance of `look_at`.
 void widen_to_look_at(Camera& camera);
 void place(Camera& camera, const Transform& transform);
 /// How far rays see that begin at the camera; infinity for most.

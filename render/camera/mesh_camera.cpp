@@ -28,7 +28,7 @@ class Seats {
   }
 
   std::size_t size() const { return faces_.size(); }
-  /// Of the seat's face, in the mesh's own space.
+  /// The corners of the seat's face, in the mesh's own space.
   std::array<Vec3, 3> corners(std::size_t seat) const {
     const Corners& corners = parameters_.faces[faces_[seat]];
     return {vertex(corners[0]), vertex(corners[1]), vertex(corners[2])};

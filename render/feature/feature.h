@@ -7,7 +7,7 @@
 
 namespace firstlight::render {
 
-/// What the scene language can say and a picture may not be able to show: one row a feature in features.def.
+/// Features that the scene language has and a picture may not be able to show: one row each in features.def.
 enum class Feature : std::uint16_t {
 #define FEATURE(name, spelling, rendered) name,
 #include "render/feature/features.def"
@@ -28,8 +28,8 @@ struct FeatureUse {
   std::uint32_t column = 0;
 };
 
-/// What a description asks for that cannot be rendered, the first place of each. Empty for most; a copy is cheap.
-/// A description carries its own, so what is declared and never used is never refused.
+/// The features that a description asks for and that cannot be rendered, the first place of each. Empty for most; a
+/// copy is cheap. A description carries its own, so what is declared and never used is never refused.
 class FeatureUses {
  public:
   /// Does nothing for a feature that is rendered.

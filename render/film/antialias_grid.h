@@ -70,7 +70,7 @@ class GridSampling final : public SampleRounds {
   std::size_t wanted_end_ = 0;
   int decisions_ = 0;
   Asked asked_ = Asked::nothing;
-  // Of the block at hand, with a row above and a column on the left of it.
+  // Both are of the block at hand, with a row above and a column on the left of it.
   std::vector<Rgb> encoded_;
   std::vector<Answer> answers_;
 };

@@ -14,7 +14,7 @@ struct AntialiasSettings {
   double gamma = 2.5;          ///< contrast is seen in light ^ (1 / gamma)
   int block_size = 32;         ///< pixels; method 1 decides block by block
 
-  // What the numbers of the scene's colours mean: light ^ (1 / working_exponent), or the sRGB curve.
+  // The meaning of the numbers of the scene's colours: light ^ (1 / working_exponent), or the sRGB curve.
   double working_exponent = 1.0;
   bool working_srgb = false;
 };

@@ -23,7 +23,7 @@ std::span<const int> stops_of_hexagons(const BlurSettings& settings) {
   return kStops4;
 }
 
-/// Of the mean of a channel.
+/// The variance of the mean of a channel.
 float variance_of(float squares, float sum, double count) {
   const double mean = sum / count;
   return static_cast<float>((squares / count - mean * mean) / count);

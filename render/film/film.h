@@ -53,7 +53,7 @@ class Film {
   }
 
   bool is_lit(int x, int y) const { return lit_[index(x, y)].load(std::memory_order_relaxed) != 0; }
-  /// Of a pixel, as far as it is: its first sample, or what anti-aliasing has made of several.
+  /// The colour of a pixel, as far as it is: its first sample, or what anti-aliasing has made of several.
   Rgb color(int x, int y) const;
   /// The most that rays still to be traced can change any channel of a pixel; 0: the pixel is complete.
   double outstanding(int x, int y) const;
@@ -138,7 +138,7 @@ class Film {
   std::vector<std::atomic<std::uint8_t>> lit_;
   std::int64_t most_ = 0;   // that a sample can end with
   std::int64_t least_ = 0;  // the same from below
-  // Of anti-aliasing; empty without it.
+  // The rest is of anti-aliasing; empty without it.
   std::vector<std::atomic<State>> states_;
   std::vector<Refined> refined_;
   std::vector<std::uint32_t> first_of_mean_;

@@ -36,7 +36,7 @@ class PlaceSampler {
   std::uint32_t size() const { return static_cast<std::uint32_t>(places_.size()); }
   /// The first samples of the places. Without blur each place has one, in their order, from the film's pixels() on.
   std::span<const SamplePoint> begin();
-  /// Of a place that has all its samples.
+  /// The colour of a place that has all its samples.
   Rgb color(std::uint32_t number) const;
 
   // ---- Places of the pixels
@@ -77,7 +77,7 @@ class PlaceSampler {
   std::vector<Rgb> pixels_;  ///< colours of the pixels' places
 };
 
-/// What a picture with blur needs after the first sample of each pixel.
+/// The samples that a picture with blur needs after the first of each pixel.
 class PixelBlur final : public SampleRounds {
  public:
   /// As PlaceSampler::begin_pixels(). Pre: `places` outlives it.

@@ -19,8 +19,8 @@ struct SamplePoint {
 class SampleRounds {
  public:
   virtual ~SampleRounds() = default;
-  /// What to trace next; empty: nothing is left to do. To be called when all samples asked for so far are complete, no
-  /// ray waits and nobody adds. The film's samples beyond its pixels begin anew.
+  /// Returns what to trace next; empty: nothing is left to do. To be called when all samples asked for so far are
+  /// complete, no ray waits and nobody adds. The film's samples beyond its pixels begin anew.
   virtual std::span<const SamplePoint> next() = 0;
 };
 

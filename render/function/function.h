@@ -9,7 +9,7 @@
 
 namespace firstlight::render {
 
-/// What an evaluation of functions needs beside its arguments, and may use up. One for each thread.
+/// The means that an evaluation of functions needs beside its arguments, and may use up. One for each thread.
 struct Evaluation {
   static constexpr std::uint64_t kMostSteps = 200'000'000;
 
@@ -44,7 +44,7 @@ class Function {
   /// makes functions of functions keeps below the limits above, or a short text could describe endless work.
   std::uint32_t depth() const { return depth_; }
   std::uint64_t cost() const { return cost_; }
-  /// What it is made of that cannot be rendered; such parts give 0.
+  /// The parts of it that cannot be rendered; they give 0.
   const FeatureUses& unrendered() const { return unrendered_; }
 
  protected:

@@ -4,7 +4,7 @@
 
 namespace firstlight::render {
 
-/// What a function of numbers is made of. Of two values, the one pushed first is the left one.
+/// Steps of a function of numbers. The left one of two values is the one pushed first.
 enum class Operation : std::uint8_t {
   constant,   ///< pushes Instruction::value
   parameter,  ///< pushes the parameter Instruction::index
@@ -64,7 +64,7 @@ enum class Operation : std::uint8_t {
   select,           ///< of a, b, c, d: b where a is below 0, c where it is 0, else d
 };
 
-/// Of Instruction::component: the weighted sum of red, green and blue; MegaPOV's height field colour.
+/// Values of Instruction::component: the weighted sum of red, green and blue; MegaPOV's height field colour.
 constexpr std::uint8_t kGrayComponent = 5, kHeightComponent = 6;
 
 struct Instruction {

@@ -76,7 +76,7 @@ class OctavePowers {
  public:
   static constexpr int kKept = 24;
 
-  /// Of octaves from 1 up to kKept - 1.
+  /// The powers of octaves from 1 up to kKept - 1.
   static const std::array<double, kKept>& of(double h, double lacunarity) {
     thread_local OctavePowers kept;
     if (kept.h_ != h || kept.lacunarity_ != lacunarity) kept = OctavePowers(h, lacunarity);

@@ -29,7 +29,7 @@ FeatureUses unrendered_of(std::span<const FunctionPtr> callees) {
   return all;
 }
 
-/// Of red, green and blue; the weights of POV-Ray's grey scale, added in its order.
+/// Mixes red, green and blue with the weights of POV-Ray's grey scale, added in its order.
 double mixed(double red, double green, double blue, std::uint8_t component) {
   if (component == kGrayComponent) return red * 0.297 + green * 0.589 + blue * 0.114;
   return (red + green * (1.0 / 255.0)) * 0.996093;  // kHeightComponent

@@ -21,9 +21,9 @@ class Encoding {
   /// Working numbers are file numbers already, but for the range.
   static Encoding as_is() { return Encoding(Curve::none, 1.0); }
 
-  /// What a file of 8 bits a channel holds. Not-a-number is black.
+  /// The value in a file of 8 bits a channel. Not-a-number is black.
   std::uint8_t byte(float working) const;
-  /// What a file of linear light (OpenEXR, Radiance) holds: unclipped, finite.
+  /// The value in a file of linear light (OpenEXR, Radiance): unclipped, finite.
   float light(float working) const;
 
  private:

@@ -17,7 +17,7 @@ namespace firstlight::render {
 /// Threads  Compares with all processors; may be called from any thread.
 class Flip {
  public:
-  /// Of a screen of 0.7 m and 3840 pixels seen from 0.7 m, the paper's.
+  /// The paper's: a screen of 0.7 m and 3840 pixels seen from 0.7 m.
   static constexpr double kPixelsPerDegree = 67.0;
 
   Flip(std::span<const Rgb> reference, int width, int height, double pixels_per_degree = kPixelsPerDegree);
@@ -30,7 +30,8 @@ class Flip {
  private:
   using Plane = std::vector<float>;
 
-  /// What is compared: filtered colours in L*a*b* after the Hunt adjustment, and how strong edges and points are.
+  /// A picture as it is compared: filtered colours in L*a*b* after the Hunt adjustment, and how strong edges and points
+  /// are.
   struct Seen {
     Plane lightness, a, b, edges, points;
   };

@@ -109,7 +109,7 @@ std::string write(const std::string& path, const Format& format, const ImageCode
   const fs::file_status status = fs::status(target, ignored);
   if (fs::is_directory(status)) return refusal(path, "that is a folder");
 
-  // What exists and is no plain file, such as /dev/null, cannot be replaced by renaming.
+  // Renaming cannot replace a target that exists and is no plain file, such as /dev/null.
   const bool in_place = fs::exists(status) && !fs::is_regular_file(status);
   std::string error;
   const std::vector<std::uint8_t> bytes = encode(format, pixels, error);

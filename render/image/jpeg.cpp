@@ -31,7 +31,7 @@ using Handle = std::unique_ptr<void, Destroy>;
 
 [[noreturn]] void fail(const Handle& handle) { throw BrokenPicture(tjGetErrorStr2(handle.get())); }
 
-/// Of a printer's inks, whose samples are stored turned round (0 is all of the ink), to red green blue.
+/// Turns a printer's inks, whose samples are stored turned round (0 is all of the ink), into red green blue.
 Raster::Bytes from_inks(const Raster::Bytes& inks) {
   Raster::Bytes rgb;
   rgb.reserve(inks.size() / 4 * 3);
@@ -67,7 +67,7 @@ Raster read_jpeg(FileBytes file) {
                         static_cast<std::size_t>(tjPixelSize[format]));
   if (tjDecompress2(handle.get(), file.data(), file.size(), samples.data(), 0, 0, 0, format,
                     TJFLAG_ACCURATEDCT | TJFLAG_LIMITSCANS) != 0) {
-    // What is only a warning has a picture all the same, unless the rest of it is missing.
+    // A mere warning comes with a picture, unless the rest of it is missing.
     const bool cut = std::string_view(tjGetErrorStr2(handle.get())).find("remature end") != std::string_view::npos;
     if (cut) throw BrokenPicture(kEndsTooEarly);
     if (tjGetErrorCode(handle.get()) != TJERR_WARNING) fail(handle);

@@ -13,7 +13,7 @@
 namespace firstlight::render {
 namespace {
 
-/// What libpng calls back with. It leaves a failure by longjmp, over frames of C and of functions here that have
+/// libpng calls back with these. It leaves a failure by longjmp, over frames of C and of functions here that have
 /// nothing to destroy: all that has lies in these structures, outside of the frame that setjmp is called in.
 struct Failure {
   std::string why;

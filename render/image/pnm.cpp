@@ -40,7 +40,7 @@ class NumberText {
     left_ = left_.subspan(1);
     return value;
   }
-  /// What follows the one white space that ends a header.
+  /// Returns the bytes behind the one white space that ends a header.
   FileBytes rest() const {
     if (left_.empty()) throw BrokenPicture(kEndsTooEarly);
     return left_.subspan(1);

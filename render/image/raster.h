@@ -44,7 +44,7 @@ struct Raster {
   double value(std::size_t sample) const;
 };
 
-/// What becomes of the samples of a file that has a palette: the colours they stand for, or the indices themselves.
+/// The samples of a file with a palette become the colours they stand for, or stay indices.
 enum class Palette { resolve, keep };
 
 /// Puts the colours into the samples' place: red green blue, with alpha if a colour is not opaque.

@@ -1,9 +1,10 @@
 // Numbers side by side, one in each lane of a vector. Included once for each instruction set, so the guard switches back
 // and forth.
 //
-// What is computed for points or rays is written once, as a template over a lane type: Lanes here, or One
-// (render/lanes/one.h) for a single number. No operation is fused, and sums and products are made in the order in which they
-// are written, so a lane has the same bits at every width and on every machine, whatever stands in the other lanes.
+// Arithmetic for points or rays is written once, as a template over a lane type: Lanes here, or One
+// (render/lanes/one.h) for a single number. No operation is fused, and sums and products are made in the order in which
+// they are written, so a lane has the same bits at every width and on every machine, whatever stands in the other
+// lanes.
 #if defined(FIRSTLIGHT_RENDER_LANES_LANES_INL_H) == defined(HWY_TARGET_TOGGLE)
 #ifdef FIRSTLIGHT_RENDER_LANES_LANES_INL_H
 #undef FIRSTLIGHT_RENDER_LANES_LANES_INL_H

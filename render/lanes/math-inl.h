@@ -161,7 +161,7 @@ HWY_INLINE L logarithm(const L& x) {
   const L half_square = 0.5 * f * f;
   const L rest = s * (half_square + 2.0 * t * artanh_series(t));
   const L result = exponent * kLn2High - ((half_square - (rest + exponent * kLn2Low)) - f);
-  // Of infinity it is infinite, of 0 below all numbers, of what is below none.
+  // The logarithm of infinity is infinite, that of 0 is below all numbers, that of a negative number is none.
   const L special = select(x == 0.0, L(-kInfinite), select(x > 0.0, x, L(kNoNumber)));
   return select(is_plain, result, special);
 }
@@ -174,7 +174,7 @@ HWY_INLINE Exact<L> exact_log2(const L& x) {
   const L below = f + 2.0;
   const L s = f / below;
   const L s1 = and_bits(s, kUpperHalf);
-  // What s lacks to f / (2 + f): products with its upper half are exact, for `below` is taken in two parts too.
+  // s2 is what s lacks to f / (2 + f): products with its upper half are exact, for `below` is taken in two parts too.
   const L below1 = and_bits(below, kUpperHalf), below2 = f - (below1 - 2.0);
   const L s2 = ((f - s1 * below1) - s1 * below2) / below;
   const L t = s * s;
@@ -216,7 +216,7 @@ HWY_INLINE L power(const L& x, const L& y) {
   return select((y == 0.0) | (x == 1.0) | ((x == -1.0) & (abs(y) == kInfinite)), L(1.0), result);
 }
 
-/// What numerator / denominator lacks, rounded to `quotient`.
+/// The part of numerator / denominator that `quotient` has lost by rounding.
 template <class L>
 HWY_INLINE L lost_in_quotient(const Exact<L>& numerator, const Exact<L>& denominator, const L& quotient) {
   const Exact<L> product = exact_product(quotient, denominator.high);
@@ -370,7 +370,7 @@ HWY_INLINE L arc_tangent(const L& y, const L& x) {
   const MaskOf<L> is_exact = (abs(q) < 1e-250) | (below == 0.0);
   const L lost = select(is_exact, zero, lost_in_quotient(numerator, denominator, q));
   const L more = q * t * series(t, kSeries) + lost * (1.0 - t);
-  // What the angle is beside: a number of eighths of a turn, from which it goes up or down.
+  // The angle goes up or down from a number of eighths of a turn.
   const MaskOf<L> is_down = without(is_steep, is_back) | without(is_back, is_steep);
   const L eighths = select(is_back, select(is_steep, L(2.0), L(4.0)), select(is_steep, L(2.0), zero)) +
                     select(is_wide, select(is_down, L(-1.0), L(1.0)), zero);

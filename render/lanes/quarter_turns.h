@@ -9,7 +9,7 @@ struct QuarterTurns {
   double low;   ///< what is to be added to it, below its last digit
 };
 
-/// Of an angle in radians of any size. What is infinite or no number has a rest that is none.
+/// Reduces an angle in radians of any size. The rest of an infinite one, or of what is no number, is no number.
 /// Source   M. Payne & R. Hanek, "Radian reduction for trigonometric functions", SIGNUM Newsletter 18, 1983.
 QuarterTurns quarter_turns(double angle);
 

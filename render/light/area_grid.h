@@ -18,7 +18,7 @@ class AreaGrid {
   /// Pre: light.area, which outlives it.
   AreaGrid(const Light& light, const Vec3& lit_point, Use use);
 
-  /// Of the point in column u and row v. Pre: u < size1, v < size2.
+  /// The place of the point in column u and row v. Pre: u < size1, v < size2.
   Vec3 place(int u, int v) const;
 
  private:
@@ -48,7 +48,8 @@ struct AreaQuarters {
   std::size_t size = 0;
   int times = 1;
 };
-/// Of an odd number of points the middle ones are in both halves. Pre: rectangle.has_quarters().
+/// The quarters of a rectangle; the middle ones of an odd number of points are in both halves. Pre:
+/// rectangle.has_quarters().
 AreaQuarters quarters_of(const AreaRectangle& rectangle);
 
 /// Whether light as it comes from the corners of a rectangle, in their order, differs so much that its quarters have to

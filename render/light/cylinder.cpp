@@ -5,8 +5,8 @@
 
 namespace firstlight::render {
 
-/// What is left of the falloff at a distance from the axis, to the power of `tightness`; from the radius to the falloff
-/// it goes down to nothing. Nothing shines behind the light.
+/// The share is what is left of the falloff at a distance from the axis, to the power of `tightness`; from the radius
+/// to the falloff it goes down to nothing. Nothing shines behind the light.
 void beam::tube(const Light& light, const Columns3<double>& points, std::size_t count, Arrival& arrival) {
   const Vec3 axis = unit(light.point_at - light.position);
   for (std::size_t i = 0; i < count; ++i) {

@@ -44,7 +44,7 @@ struct Light {
   double tightness = 0.0;  ///< exponent of the cosine to the axis
 
   std::optional<AreaLight> area = {};
-  // Of area lights; without one they mean nothing.
+  // The rest is of area lights; without one it means nothing.
   bool jitter = false;
   bool circular = false;
   bool orient = false;             ///< turned towards the point that is lit

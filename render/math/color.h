@@ -10,7 +10,7 @@ namespace firstlight::render {
 /// Linear-light colour; may leave [0, 1] in both directions.
 using Rgb = Imath::C3f;
 
-/// What a pigment gives: a colour and how much light it lets through.
+/// A pigment's value: a colour and how much light it lets through.
 /// `filter` light is tinted by `rgb`, `transmit` light is not. [POV-Ray 3.7 manual, "Color Keywords"]
 struct FilteredColor {
   Rgb rgb{0.0f, 0.0f, 0.0f};

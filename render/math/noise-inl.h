@@ -1,8 +1,8 @@
 // Noise over a lane type; render/math/noise.h says what it is. Included once for each instruction set, so the guard
 // switches back and forth.
 //
-// What is looked up is looked up lane by lane: that is no slower than a vector's own gathering. Rows of four coefficients
-// are loaded for each lane, and turned into columns.
+// Tables are looked up lane by lane: that is no slower than a vector's own gathering. Rows of four coefficients are
+// loaded for each lane, and turned into columns.
 #if defined(FIRSTLIGHT_RENDER_MATH_NOISE_INL_H) == defined(HWY_TARGET_TOGGLE)
 #ifdef FIRSTLIGHT_RENDER_MATH_NOISE_INL_H
 #undef FIRSTLIGHT_RENDER_MATH_NOISE_INL_H
@@ -99,7 +99,7 @@ HWY_INLINE void enter_cell(const Vec3Of<L>& p, LatticeCell<L>& cell) {
   cell.way_z[1] = z.from - 1.0;
 }
 
-/// What corner k brings to a sum: a linear function of the way from it, its first coefficient halved, times its weight.
+/// Corner k's share of a sum: a linear function of the way from it, its first coefficient halved, times its weight.
 template <class L>
 HWY_INLINE L corner_share(const LatticeCell<L>& cell, std::size_t k, const double* coefficients) {
   L c[4];

@@ -9,7 +9,8 @@ namespace firstlight::render {
 /// that are blended between them.
 struct LatticeTables {
   static constexpr unsigned kPoints = 4096;
-  /// Of a point along x, then of that `xor` the one along y; twice in a row, for a point's neighbour may be one too far.
+  /// Maps a point along x, then the result `xor` the one along y; twice in a row, for a point's neighbour may be one
+  /// too far.
   std::array<std::uint16_t, 2 * kPoints> permutation{};
   /// The same for the last step, along z: where the coefficients begin.
   std::array<std::uint8_t, 2 * kPoints> entry{};

@@ -63,7 +63,7 @@ struct SkySphere {
   FeatureUses unrendered = {};
 };
 
-/// What is around the objects.
+/// Surroundings of the objects.
 struct Atmosphere {
   std::vector<Fog> fogs;          ///< in the order of the scene text
   std::vector<Rainbow> rainbows;  ///< the same

@@ -28,7 +28,7 @@ constexpr std::size_t kShown = 160;
 
 bool continues_character(char c) { return (static_cast<unsigned char>(c) & 0xc0u) == 0x80u; }
 
-/// What a terminal can print of a line that may hold anything: tabs become one space, so that the caret stays below its
+/// Makes a line that may hold anything fit for a terminal: tabs become one space, so that the caret stays below its
 /// place, and bytes that would steer the terminal become '?'.
 std::string printable(std::string text) {
   for (char& c : text) {

@@ -79,14 +79,14 @@ Extent cut(const Extent& own, const Object& object, const Transform& here) {
   return result;
 }
 
-/// Of a combination whose members lie in `box`.
+/// The extent of a combination whose members lie in `box`.
 Extent extent_around(const Box3& box) {
   if (is_empty(box)) return Extent(farthest_box());
   const Extent whole(box);
   return std::ranges::max(whole.length) > kLongest ? Extent(farthest_box()) : whole;
 }
 
-/// Of a combination where it stands, from what its members make in its own space.
+/// The extent of a combination where it stands, from what its members make in its own space.
 Extent moved_on(const Extent& members, const Object& object) {
   if (!object.cramped) return moved(members, object.placement);
   Extent result = members;

@@ -25,7 +25,7 @@ struct ParseProgress {
   std::uint64_t objects = 0;  ///< with their parts
 };
 
-/// What a front end needs to know beside the path.
+/// A front end needs these beside the path.
 struct LoadOptions {
   int width = 320;  ///< pixels; scenes may read it
   int height = 240;
@@ -47,7 +47,7 @@ struct LoadOptions {
   const std::atomic<bool>* stop = nullptr;
 };
 
-/// What a scene is made of.
+/// Counts of what a scene is made of.
 struct SceneSummary {
   std::size_t objects = 0;  ///< at top level; unions count as their members
   std::size_t lights = 0;

@@ -25,7 +25,7 @@ using ObjectList = std::shared_ptr<const std::vector<Object>>;  ///< null: none
 /// A list that is taken apart without recursion, however deep what it holds is nested.
 ObjectList make_object_list(std::vector<Object> objects);
 
-/// What few objects have.
+/// Attributes that few objects have.
 struct ObjectExtras {
   Shared<Light> light = {};       ///< of Kind::light
   ObjectList clipped_by = {};     ///< points of the surface outside any of these are cut away

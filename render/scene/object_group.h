@@ -6,7 +6,7 @@
 
 namespace firstlight::render {
 
-/// What a surface does with rays, as far as it matters to which of them come first.
+/// Kinds of a surface by what it does with rays, as far as it matters to which of them come first.
 enum class SurfaceKind : std::uint8_t {
   plain,   ///< none of the others
   glossy,  ///< highlights
@@ -19,7 +19,7 @@ struct ObjectGroup {
   std::vector<std::string> names;  ///< SDL identifiers, the outermost object's first; empty for what has none
   std::string shape;               ///< SDL word of the primitive; may be empty
   SurfaceKind surface = SurfaceKind::plain;
-  /// Of the top-level solid: how many objects, itself among them, it is made of, as the bits of that number.
+  /// The number of objects, itself among them, that the top-level solid is made of, as the bits of that number.
   std::uint8_t complexity = 1;
 };
 

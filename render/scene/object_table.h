@@ -53,7 +53,7 @@ class ObjectTable {
   std::map<std::pair<Names, std::string>, Names> ways_;
   std::map<std::string, std::uint32_t, std::less<>> shapes_;
   std::map<Key, std::uint32_t> numbers_;
-  // What was asked for last, for the next is mostly the same.
+  // The last answers are kept, for the next question is mostly the same.
   std::string_view last_shape_;
   std::uint32_t last_shape_number_ = 0;
   std::optional<std::pair<Key, std::uint32_t>> last_;

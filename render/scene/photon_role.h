@@ -4,7 +4,7 @@
 
 namespace firstlight::render {
 
-/// What an object, or a light, has to do with photons. Without photons in the scene it means nothing.
+/// The part of an object, or a light, in the tracing of photons. Without photons in the scene it means nothing.
 /// Source   POV-Ray 3.7 manual, "Photons".
 struct PhotonRole {
   double target = 0.0;                  ///< factor on the distance of the photons shot at the object; 0: none are

@@ -11,7 +11,7 @@ namespace {
 
 bool is_empty(const ObjectList& list) { return !list || list->empty(); }
 
-/// What the members of a combination are. Unions that are nested too deep for recursion become one.
+/// Makes the regions of a combination's members. Unions that are nested too deep for recursion become one.
 std::vector<Solid> member_regions(const Object& whole, const Transform& to_world, bool inverted) {
   std::vector<Solid> result;
   if (!whole.children) return result;

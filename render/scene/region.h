@@ -14,7 +14,7 @@ namespace firstlight::render {
 /// intersection of the complements, and the other way round (as a merge, for it has no surfaces inside).
 Solid::Kind solid_kind(Object::Kind kind, bool inverted);
 
-/// What cuts an object, and what bounds it: `clipped_by { bounded_by }` and the like make them the same.
+/// The lists that cut an object and that bound it: `clipped_by { bounded_by }` and the like make them the same.
 const ObjectList& clips_of(const Object& object);
 const ObjectList& bounds_of(const Object& object);
 

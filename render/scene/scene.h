@@ -47,7 +47,7 @@ inline bool shines_on(const Light& light, const Part& part) {
   return light.group == 0 ? part.global_lights : light.group == part.light_group;
 }
 
-/// What the scene's colour numbers mean (assumed_gamma), which decides how the finished picture is written.
+/// The meaning of the scene's colour numbers (assumed_gamma), which decides how the finished picture is written.
 enum class WorkingGamma {
   linear,     ///< proportional to light; the file gets the sRGB curve
   power,      ///< light ^ (1 / gamma_exponent); the file gets what makes the same light on an sRGB display

@@ -23,7 +23,7 @@ std::span<const Transform> span_of(const Moves& moves) {
   return moves ? std::span<const Transform>(*moves) : std::span<const Transform>();
 }
 
-/// What a node of an object's tree hands down to what it is made of.
+/// A node of an object's tree hands this down to its parts.
 struct Inherited {
   Transform to_world;  ///< from the space of the node's parts
   std::uint32_t texture = kNoIndex;
@@ -102,7 +102,7 @@ struct SceneBuilder::State {
   ObjectTable objects;
   TexturePtr default_texture;   ///< of the object that is being added
   const Object* top = nullptr;  ///< that object
-  /// What lights of that object look like, in the scene, to be added behind it.
+  /// The look of lights of that object, in the scene, to be added behind it.
   struct Look {
     std::shared_ptr<const Object> object;
     Inherited around;
@@ -135,7 +135,7 @@ struct SceneBuilder::State {
   void finish();
 };
 
-/// What holds at `object`: its own where it has it, else its parent's.
+/// Returns what holds at `object`: its own where it has it, else its parent's.
 Inherited SceneBuilder::State::at_node(const Object& object, const Inherited& parent) {
   Inherited node = parent;
   const ObjectExtras& extras = object.extras;
@@ -148,7 +148,7 @@ Inherited SceneBuilder::State::at_node(const Object& object, const Inherited& pa
   };
   if (object.texture) {
     const Transform place = placed(object.texture_placement);
-    // What the object at top level alone holds, nothing else can ask for.
+    // Nothing else can ask for a texture that the object at top level alone holds.
     const bool unshared = &object == top && object.texture.use_count() == 1;
     node.texture =
         unshared ? textures.index_of_unshared(object.texture, place) : textures.index_of(object.texture, place);
@@ -199,7 +199,7 @@ void SceneBuilder::State::join_light_group(const Object& object, Inherited& node
   node.light_group = node.group_at_hand = ++light_groups;
 }
 
-/// What is in objects of which nothing is said. All share it.
+/// The interior of objects of which nothing is said. All share it.
 const Shared<Interior>& SceneBuilder::State::air() {
   const double ior = scene->settings.atmosphere_ior;
   if (surroundings->ior != ior) surroundings.change().ior = ior;
@@ -237,7 +237,7 @@ bool SceneBuilder::State::dissolves(const Object& object, const Inherited& paren
          });
 }
 
-/// What holds in a union that dissolves; nothing for any other object.
+/// Returns what holds in a union that dissolves; nothing for any other object.
 std::optional<Inherited> SceneBuilder::State::within(const Object& object, const Inherited& parent) {
   if (!dissolves(object, parent)) return std::nullopt;
   if (is_empty(object.children)) return parent;

@@ -13,8 +13,8 @@ namespace firstlight::render {
 struct Camera;
 struct Scene;
 
-/// What the order of rays may go by: what a scene's lights and objects are called, where light comes from, where the
-/// scene is seen from. It is for those who need not know shapes and textures.
+/// Facts that the order of rays may go by: what a scene's lights and objects are called, where light comes from, where
+/// the scene is seen from. It is for those who need not know shapes and textures.
 ///
 /// Memory   Views of the scene, which has to outlive them.
 struct SceneIndex {

@@ -83,9 +83,10 @@ thread_local std::vector<std::uint32_t> members_to_ask;
 
 }  // namespace
 
-/// What a solid is made of that is not plain.
+/// The structure of a solid that is not plain.
 struct Solid::Structure {
-  /// Of many members: those whose surface a ray may meet, and those that may decide whether a point is inside.
+  /// Trees over many members: over those whose surface a ray may meet, and those that may decide whether a point is
+  /// inside.
   struct MemberTrees {
     BoxTree surface;
     BoxTree deciding;

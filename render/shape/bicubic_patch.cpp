@@ -127,7 +127,7 @@ bool meet_triangle(const Ray& ray, const Vec3& p0, const Vec3& p1, const Vec3& p
   return hit.a >= 0.0 && hit.b >= 0.0 && hit.a + hit.b <= 1.0;
 }
 
-/// Of the whole patch, in unit length.
+/// The normal of the whole patch, of unit length.
 Vec3 normal_at(const Points& points, double u, double v) {
   struct Basis {
     std::array<double, 4> value;
@@ -247,7 +247,7 @@ class BicubicPatch final : public Shape {
     const double bend = piece.bend();
     return bend >= 0.0 && bend < parameters_.flatness;
   }
-  /// Of a piece, the leaves, and pieces that were halved `deepest` times each way.
+  /// Visits the leaves of a piece, and pieces that were halved `deepest` times each way.
   template <class IsWanted, class Visit>
   void for_each_leaf(Piece piece, int deepest, const IsWanted& is_wanted, const Visit& visit) const {
     if (!is_wanted(piece) || Interrupt::asked()) return;
@@ -276,7 +276,7 @@ class BicubicPatch final : public Shape {
     }
     return piece;
   }
-  /// What stands at a place of the tree.
+  /// Meets the leaf or the unfinished piece at a place of the tree.
   void meet(std::uint32_t place, const Ray& ray, std::vector<Crossing>& out) const {
     if (place < leaves_.size()) return meet(leaves_[place], 2 * place, ray, out);
     const auto is_near = [&](const Piece& piece) { return meets(ray, padded(piece.box(), 1e-9, 1e-12)); };

@@ -113,7 +113,7 @@ struct Element {
   }
 
  private:
-  /// What is behind the ray's origin does not count.
+  /// Cuts off the part behind the ray's origin, which does not count.
   static std::optional<Interval> seen(const Interval& chord, double length) {
     const auto ahead = [&](double depth) { return depth / length < kNearest ? 0.0 : depth / length; };
     const Interval result{ahead(chord.begin), ahead(chord.end)};

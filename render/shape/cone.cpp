@@ -113,7 +113,7 @@ struct Cone {
   }
 };
 
-/// What has no height or no width is never met and holds no point.
+/// A cone without height or width is never met and holds no point.
 ShapePtr nothing_at(const Vec3& place) { return make_sphere(place, 0.0); }
 
 }  // namespace

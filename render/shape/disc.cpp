@@ -8,7 +8,7 @@
 namespace firstlight::render {
 namespace {
 
-/// Of the box about a disc, which scenes may ask for. [POV-Ray 3.7]
+/// Half the thickness of the box about a disc, which scenes may ask for. [POV-Ray 3.7]
 constexpr double kHalfThickness = 0.001;
 
 /// A ring around the origin in the plane z = 0. Inside is all that lies below the plane.

@@ -115,7 +115,7 @@ class Land {
     return p.dot(normal) < Vec3(x, land(x, z), z).dot(normal);
   }
 
-  /// Of the triangle that was met.
+  /// The normal of the triangle that was met.
   Vec3 flat_normal(std::uint32_t face) const {
     const auto cell = static_cast<int>(face / 2);
     const int x = cell % (given_.columns - 1);

@@ -17,7 +17,7 @@ namespace {
 constexpr double kTolerance = 1e-7;  ///< of a point of the surface
 constexpr double kLeastSlope = 1e-8;
 constexpr double kLongestStep = 30.0;  ///< of hypercomplex sets, in units of the least
-/// Of one ray. A step can be so short that a depth does not feel it.
+/// The most steps of one ray. A step can be so short that a depth does not feel it.
 constexpr int kMostSteps = 1'000'000;
 constexpr int kIterationsBetween = 100'000;  ///< questions whether the work is still wanted
 
@@ -37,12 +37,12 @@ Vec4 quaternion_product_for_cubes(const Vec4& a, const Vec4& b) {
 /// All that an iteration comes through, the starting point first.
 using Orbit = std::vector<Vec4>;
 
-// What is iterated. Each has `size`, the square of a value's; `next`, the value behind `q` without the set's parameter; what a
-// ray may step without leaving a side of the surface, from an orbit that left the set at value `last`; and the direction in
-// which the last value of an orbit grows, as far as the slice goes.
+// Functions that are iterated. Each has `size`, the square of a value's; `next`, the value behind `q` without the set's
+// parameter; the length that a ray may step without leaving a side of the surface, from an orbit that left the set at
+// value `last`; and the direction in which the last value of an orbit grows, as far as the slice goes.
 //
-// All sums are in POV-Ray's order. A step hangs on the one before it, so what is rounded in another way grows until points of the
-// surface are elsewhere by as much as decides whether a feeler begins inside or outside.
+// All sums are in POV-Ray's order. A step hangs on the one before it, so what is rounded in another way grows until
+// points of the surface are elsewhere by as much as decides whether a feeler begins inside or outside.
 
 /// q^2 and q^3 of quaternions.
 template <int kPower>
@@ -286,7 +286,8 @@ struct JuliaFractal {
       holds(from);
       return gone;
     }
-    /// Of unit length. What an orbit that leaves the set does not reach is of the one before it, as in POV-Ray.
+    /// Returns the unit normal. Values that an orbit leaving the set does not reach are those of the orbit before it,
+    /// as in POV-Ray.
     Vec3 normal() const {
       const Vec3 n = set.iterated.normal(orbit, static_cast<std::size_t>(set.p.most_iterations));
       const double largest = std::max({std::abs(n.x), std::abs(n.y), std::abs(n.z)});

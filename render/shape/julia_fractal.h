@@ -7,7 +7,7 @@
 
 namespace firstlight::render {
 
-/// What is iterated in a Julia set of four dimensions.
+/// Functions that are iterated in a Julia set of four dimensions.
 enum class JuliaFunction : std::uint8_t {
   square,
   cube,

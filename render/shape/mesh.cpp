@@ -16,7 +16,7 @@ namespace {
 
 using Corners = MeshParameters::Corners;
 
-/// What rays ask of a face. Single precision is POV-Ray's.
+/// Rays ask this of a face. Single precision is POV-Ray's.
 struct Face {
   Corners corners;
   Imath::V3f normal;

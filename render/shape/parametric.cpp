@@ -19,7 +19,7 @@ namespace {
 constexpr int kKeptLevels = 11;
 constexpr double kMostInstructions = 1e7;
 constexpr std::size_t kMostWaiting = 120;
-/// Of one ray, which then meets nothing. A gradient that is far too large leaves no rectangle out.
+/// A ray that needs more meets nothing. A gradient that is far too large leaves no rectangle out.
 constexpr int kMostRectangles = 300'000;
 constexpr double kStartRoom = 4.0;  ///< times the accuracy, behind the container's beginning. [POV-Ray 3.7]
 
@@ -56,7 +56,7 @@ struct Rectangle {
   }
 };
 
-/// What a function may reach over a side or a rectangle, of what it is at the ends.
+/// Bounds a function over a side or a rectangle by its values at the ends.
 Range reach(double length, double at_low, double at_high, double gradient) {
   const double room = std::max(0.0, gradient * (length - std::abs(at_low - at_high) / gradient) / 2.0);
   return {std::min(at_low, at_high) - room, std::max(at_low, at_high) + room};
@@ -179,7 +179,7 @@ struct Parametric {
   Box3 inside_bounds() const { return bounds(); }
 
  private:
-  /// What a coordinate may reach in a rectangle whose corners are known.
+  /// Bounds a coordinate in a rectangle whose corners are known.
   Range range_of(const Rectangle& r, const Rectangle::Corners& f) const {
     const double height = r.high.y - r.low.y;
     const double width = r.high.x - r.low.x;

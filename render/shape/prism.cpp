@@ -84,7 +84,7 @@ struct Prism {
   bool turns_base = false;  ///< the base's normal points down
 
   explicit Prism(const PrismParameters& parameters) : Prism(segments_of(parameters), parameters) {}
-  /// Of `parameters` only what is beside the curves counts.
+  /// Takes from `parameters` only what is beside the curves.
   Prism(std::vector<ProfileSegment> curves, const PrismParameters& parameters)
       : segments(std::move(curves)),
         bottom(parameters.low),

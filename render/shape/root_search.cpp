@@ -8,7 +8,7 @@
 namespace firstlight::render {
 namespace {
 
-/// Of one search, which then finds nothing. A field that is 0 all along a ray is asked at every step of the accuracy.
+/// A search that needs more finds nothing. A field that is 0 all along a ray is asked at every step of the accuracy.
 constexpr int kMostEvaluations = 1'000'000;
 
 }  // namespace

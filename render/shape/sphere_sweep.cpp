@@ -62,7 +62,7 @@ struct Passage {
 struct SphereSweep {
   static constexpr bool kIsLarge = true;
 
-  /// What of a segment is met. A crossing's face is kPlaces * segment + one of these.
+  /// The part of a segment that is met. A crossing's face is kPlaces * segment + one of these.
   enum Place : std::uint32_t { kFirstBall, kLastBall, kFirstEnd, kLastEnd, kSide };
   static constexpr std::uint32_t kPlaces = 5;
 

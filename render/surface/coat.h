@@ -12,7 +12,7 @@
 
 namespace firstlight::render {
 
-/// What the layers of a coat that looks the same everywhere do together, where no angle of sight changes it.
+/// The layers of a coat that looks the same everywhere, taken together, where no angle of sight changes it.
 struct SettledCoat {
   std::size_t seen = 0;             ///< layers from the topmost on, before the light that is left is too little
   double share = 1.0;               ///< of the light, what passes them all
@@ -58,7 +58,7 @@ class CoatList {
   std::size_t size_ = 0;
 };
 
-/// What a layer of a coat is at its points.
+/// The look of a coat's layer at the coat's points.
 struct LayerLook {
   ColorColumns colors;
   Columns3<double> normals;  ///< of layers that have a normal; unit, in the scene

@@ -92,7 +92,7 @@ void PigmentLimits::include_image(const ImageUse& use) {
     transmits.high += use.transmit_all.value_or(0.0);
   }
   if (use.interpolation == ImageUse::Interpolation::bicubic) {
-    // Of its weights those above 0 add up to at most 1.25^2/2 + 1/2, the others to 1 less.
+    // Its weights above 0 add up to at most 1.25^2/2 + 1/2, the others to 1 less.
     constexpr double kExcess = (1.25 * 1.25 - 1.0) / 2.0;
     for (Range* range : {&colors, &filters, &transmits}) {
       const double size = range->high - range->low;

@@ -6,7 +6,8 @@
 namespace firstlight::render {
 namespace {
 
-/// What the layers above let through. Before 3.7: rgb, filter and transmit are those of all layers multiplied.
+/// The light that the layers above let through. Before 3.7: rgb, filter and transmit are those of all layers
+/// multiplied.
 struct Above {
   Rgb passed{1.0f, 1.0f, 1.0f};
   FilteredColor product{Rgb(1.0f), 1.0f, 1.0f};

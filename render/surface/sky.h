@@ -10,7 +10,7 @@
 
 namespace firstlight::render {
 
-/// What rays see that meet nothing: the pigments of the sky sphere, and the background behind them.
+/// The light of rays that meet nothing: the pigments of the sky sphere, and the background behind them.
 ///
 /// Source   POV-Ray 3.7 manual, "Sky Sphere" and "Background". The pigments are the layers of a texture that shines, the
 ///          last one topmost; before language version 3.7 the tints of all layers were multiplied with each other, and so

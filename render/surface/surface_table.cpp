@@ -28,7 +28,7 @@ std::uint32_t material_at(const ImageMap& image, const Vec3& point, std::uint32_
   return static_cast<std::uint32_t>(std::min(number > materials ? std::fmod(number, materials) : number, materials - 1.0));
 }
 
-/// What light becomes that is gathered behind a surface of clear matter: 1 + |n.d|^(45 caustics). [POV-Ray 3.7]
+/// The factor on light that is gathered behind a surface of clear matter: 1 + |n.d|^(45 caustics). [POV-Ray 3.7]
 float gathered(const Vec3& normal, const Vec3& direction, double caustics) {
   return static_cast<float>(1.0 + steady::power(std::abs(normal.dot(direction)), 45.0 * caustics));
 }

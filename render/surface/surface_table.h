@@ -18,7 +18,7 @@
 
 namespace firstlight::render {
 
-/// What a layer of a texture is at some point: its pigment's colour there, and all that follows from it.
+/// A layer of a texture at some point: its pigment's colour there, and all that follows from it.
 struct LayerColor {
   Rgb rgb{0.0f, 0.0f, 0.0f};
   Rgb own_light{0.0f, 0.0f, 0.0f};  ///< ambient and emission
@@ -41,7 +41,7 @@ struct SurfaceLayer {
   Rgb reflection{0.0f, 0.0f, 0.0f};
   float strongest = 0.0f;           ///< channel of a reflection, from the angle where it is most; prunes rays
   Rgb own_light{0.0f, 0.0f, 0.0f};  ///< of a white surface
-  // Of Finish, without what is less than nothing.
+  // Numbers of Finish, with 0 for those below 0:
   double diffuse = 0.0;
   double specular = 0.0;
   double specular_exponent = 0.0;
@@ -55,7 +55,8 @@ struct SurfaceLayer {
   double irid = 0.0;
 };
 
-/// What a layer leaves of light that has passed it and what it reflects, where the finish gives no more than it takes.
+/// Returns what goes on below a layer of the light that it lets through (`passed`): less by what it reflects where the
+/// finish gives no more than it takes.
 inline Rgb passed_below(const SurfaceLayer& layer, Rgb passed, const Rgb& reflection) {
   if (layer.reflects && layer.source->finish->conserve_energy) {
     const Rgb kept = Rgb(1.0f) - reflection;
@@ -79,7 +80,7 @@ class SurfaceTable {
   /// Pre: `scene` outlives this, unchanged.
   explicit SurfaceTable(const Scene& scene);
 
-  /// What is around all surfaces.
+  /// The surroundings of all surfaces.
   const Sky& sky() const { return sky_; }
 
   /// The texture's one coat if it is even, else null. `texture`: index into Scene::textures.
@@ -102,7 +103,7 @@ class SurfaceTable {
 
   /// Appends the coats that a texture shows at `points`, given in the scene, in the order of its maps.
   void unfold(std::uint32_t texture, const SurfacePoints& points, CoatList& coats) const;
-  /// What the layer is at the coat's points. It leaves its normals in points.tilted.
+  /// Finds the layer's look at the coat's points. Leaves its normals in points.tilted.
   void look(const SurfaceLayer& layer, CoatPoints& points, LayerLook& look) const;
   /// Multiplies light[i] by what passes the texture at point i, given in the scene. `caustics`: of the interior; not 0:
   /// light is gathered where it falls steeply, so that more may pass than came. Pre: then the points are on the surface.

@@ -37,7 +37,7 @@ struct Finish {
 
   FeatureUses unrendered = {};  ///< of crand, irid, subsurface, caustics
 
-  // Of old scenes, which put these into the finish; scene building moves them to the interior.
+  // Old scenes put these into the finish; scene building moves them to the interior.
   double legacy_ior = 0.0;         ///< 0: not given
   double legacy_refraction = 1.0;  ///< factor on light that passes
   double legacy_caustics = -1.0;   ///< below 0: not given

@@ -34,7 +34,7 @@ Format format_of(const ImageSource& source) {
   return Format::by_name;
 }
 
-/// What is usual for the format. [POV-Ray 3.7 manual, "Gamma Handling"]
+/// The curve that is usual for the format. [POV-Ray 3.7 manual, "Gamma Handling"]
 TransferCurve usual_curve(Format format, const FileGamma& stated, const TransferCurve& as_is) {
   switch (format) {
     case Format::png:

@@ -10,7 +10,7 @@
 
 namespace firstlight::render {
 
-/// What the numbers of a scene mean, as far as it has said where a picture is named.
+/// The meaning of a scene's numbers, as far as it has said where a picture is named.
 struct ImageGamma {
   /// How a file is read that does not say what its numbers mean.
   /// none: they are taken as they are. scene: they are the scene's. format: by what is usual for its format.

@@ -34,7 +34,7 @@ struct ImageSource {
 struct ImageUse {
   enum class Projection { planar = 0, spherical = 1, cylindrical = 2, torus = 5 };
   enum class Interpolation { none = 0, bilinear = 2, bicubic = 3, normalized_distance = 4 };
-  /// What of a pixel counts: its colour, its number in the palette, its alpha.
+  /// The part of a pixel that counts: its colour, its number in the palette, its alpha.
   enum class Part { color, index, alpha };
   struct PaletteChange {
     int entry = 0;

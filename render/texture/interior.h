@@ -9,7 +9,7 @@
 
 namespace firstlight::render {
 
-/// What is inside a transparent object. [POV-Ray 3.7 manual, "Interior"]
+/// The inside of a transparent object. [POV-Ray 3.7 manual, "Interior"]
 struct Interior {
   static constexpr int kMostBands = 1000;
 

@@ -21,7 +21,7 @@ struct Density {
   std::shared_ptr<const DensityMap> densities = {};  ///< instead of `map`
 };
 
-/// What glows, dims or scatters light in space. Plain data; defaults are POV-Ray 3.7's.
+/// Matter that glows, dims or scatters light in space. Plain data; defaults are POV-Ray 3.7's.
 /// Source   POV-Ray 3.7 manual, "Media".
 struct Media {
   enum class Scattering { isotropic = 1, mie_hazy, mie_murky, rayleigh, henyey_greenstein };

@@ -110,8 +110,8 @@ HWY_INLINE Least least_of(const Least& a, const Least& b) {
            low(low(a.of[2], b.of[2]), low(high(a.of[1], b.of[0]), high(a.of[0], b.of[1])))}};
 }
 
-/// What is left of the distances from a place to its three nearest points before their root is taken. What is no number
-/// counts as far.
+/// Finds the three least distances from a place to points about it, before their root is taken. A distance that is no
+/// number counts as far.
 template <class L>
 HWY_INLINE Least least_sums(const Vec3& place, double metric, const NearPoints& points) {
   const Vec3Of<L> p = everywhere<L>(place);

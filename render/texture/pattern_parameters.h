@@ -15,7 +15,7 @@ namespace firstlight::render {
 struct Object;   // render/scene/object.h, which stands above textures
 struct Pigment;  // render/texture/pigment.h
 
-// What a pattern takes beside its name. Defaults are POV-Ray 3.7's. [manual, "Patterns"]
+// Patterns take these beside their names. Defaults are POV-Ray 3.7's. [manual, "Patterns"]
 
 struct AgateParameters {
   double turbulence = 1.0;  ///< agate_turb

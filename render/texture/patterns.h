@@ -12,13 +12,13 @@ namespace firstlight::render {
 
 using PatternPtr = std::shared_ptr<const Pattern>;
 
-/// What the scene says of all patterns.
+/// The scene's settings for all patterns.
 struct PatternWorld {
   int noise_generator = 2;   ///< 1 to 3, of patterns that choose none
   int number_of_waves = 10;  ///< of `waves` and `ripples`
 };
 
-/// What a pattern is made from.
+/// The parameters and settings that a pattern is made from.
 struct PatternRequest {
   const PatternParameters& parameters;
   int noise_generator;

@@ -26,7 +26,7 @@ const PavementWalls& walls_of(const PavementParameters& parameters) {
   return *(first + (parameters.pattern - 1));
 }
 
-/// Of a row or column of cells, which may be any whole number, within a period of all pavements.
+/// The number of a row or column of cells, which may be any whole number, within a period of all pavements.
 int number_of(double whole) {
   constexpr double kPeriod = 3600.0;
   return std::isfinite(whole) ? static_cast<int>(std::fmod(whole, kPeriod)) : 0;
@@ -45,7 +45,7 @@ Place across(Place triangle, int side) {
   return {triangle.i + (side == 0 ? -back : back), triangle.j};
 }
 
-/// Of a standing triangle at the origin.
+/// A corner of a standing triangle at the origin.
 Vec2 corner_of_triangle(int corner) { return corner == 2 ? Vec2(0.5, kHeight) : Vec2(1.0 - corner, 0.0); }
 
 }  // namespace

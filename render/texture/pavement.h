@@ -46,7 +46,7 @@ class Pavement {
   struct Cell {
     std::uint8_t walls = 0;
     std::uint8_t concave = 0;  ///< bits of the corners at which the tile goes on around the end of a wall of others
-    /// Of triangles, bits of the walls behind whose end at a corner (the index) the tile turns with an obtuse angle.
+    /// Bits, for triangles, of the walls behind whose end at a corner (the index) the tile turns with an obtuse angle.
     std::array<std::uint8_t, 3> obtuse{};
   };
   std::size_t index(int i, int j) const;

@@ -21,7 +21,7 @@ struct ColorMapEntry {
 using ColorMap = std::vector<ColorMapEntry>;
 using PigmentMap = BlendMap<Pigment>;
 
-/// What a pigment has that is more than one colour.
+/// The parts of a pigment that is more than one colour.
 struct PigmentPattern : Patterning {
   ColorMap map = {};                                ///< empty: the pattern's own, see map_of()
   std::shared_ptr<const PigmentMap> pigments = {};  ///< instead of `map`; with uv_mapping and average the only form

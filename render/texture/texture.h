@@ -22,7 +22,7 @@ struct TexturePattern {
   std::shared_ptr<const TextureMap> textures;  ///< of a material_map: by the pixel's number, in order
 };
 
-/// What few layers have.
+/// Attributes that few layers have.
 struct LayerExtras {
   std::shared_ptr<const Normal> normal = {};  ///< null: even
   bool keeps_bump_size = false;               ///< no_bump_scale, for all normals in the layer
@@ -36,7 +36,7 @@ struct TextureLayer {
   Shared<LayerExtras> extras = {};
 };
 
-/// What covers a surface, in layers. Shared between objects, immutable once shared; each use has its own placement.
+/// The cover of a surface, in layers. Shared between objects, immutable once shared; each use has its own placement.
 struct Texture {
   MostlyOne<TextureLayer> layers;  ///< topmost first, as they are shaded
 };

@@ -117,7 +117,7 @@ HWY_INLINE L turn_about_y(const L& x, const L& z, const L& length) {
   return select(z == 0.0, select(x > 0.0, L(0.0), L(0.5)), turn);
 }
 
-/// What angles are stretched by with distance.
+/// The factor that stretches angles at a distance.
 template <class L>
 HWY_INLINE L stretch(const L& distance, double exponent) {
   if (exponent == 0.0) return 1.0;

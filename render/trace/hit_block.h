@@ -18,7 +18,7 @@ namespace firstlight::render {
 /// How many lights shine on a HitBlock in one go.
 constexpr std::size_t kLightsAtOnce = 8;
 
-/// What the hits' textures have in one layer. Where a hit has no such layer, all amounts are 0.
+/// One layer of the hits' textures. Where a hit has no such layer, all amounts are 0.
 struct LayerColumns {
   Columns3<double> color;  ///< of the pigment
   Columns3<double> share;  ///< the ray's weight, and what the layers above let through
@@ -66,7 +66,7 @@ struct HitBlock {
     layer_count = 0;
   }
 
-  /// Of each light: bits of the hits that it may shine on.
+  /// Bits of the hits that each light may shine on.
   std::array<std::uint64_t, kLightsAtOnce> reached = all_reached();
   static std::array<std::uint64_t, kLightsAtOnce> all_reached() {
     std::array<std::uint64_t, kLightsAtOnce> all;
@@ -82,11 +82,11 @@ struct HitBlock {
   bool feelers_may_gain = false;  ///< what they cross may make more light of theirs: RadianceBound::most_of_feelers()
   std::array<Foreseen, kLightsAtOnce> foreseen{};  ///< of the feelers to each light
 
-  // What light_hits() finds:
+  // light_hits() finds:
   Column<std::int64_t> mirrored;  ///< packed direction of the mirrored ray: u low, v high
   Columns3<std::int64_t> sum;     ///< light for the film, FixedRgb
   Column<std::int64_t> at_stake;  ///< RadianceBound::at_stake() of the record
-  // Of each light:
+  // for each light:
   std::array<std::uint64_t, kLightsAtOnce> open;           ///< bits of the hits from which a feeler is to be traced
   std::array<Column<std::uint64_t>, kLightsAtOnce> light;  ///< PackedRgb of what that may take back
   // Those that need not be traced:
@@ -121,7 +121,7 @@ struct FeelerBlock {
     at_stake[i] = held.bits();
   }
 
-  // What weigh_feelers() finds:
+  // weigh_feelers() finds:
   Columns3<std::int64_t> steps;  ///< light at stake, FixedRgb
 };
 

@@ -90,8 +90,8 @@ HWY_INLINE V fading_at(const Light& light, V distance) {
   return hn::Div(hn::Set(d, 2.0), hn::Add(hn::Set(d, 1.0), power(d, ratio, hn::Set(d, light.fade_power))));
 }
 
-/// What a highlight's colour is multiplied with: the surface's colour as far as the finish is metallic and the angle
-/// steep, as metallic_tint() has it.
+/// The factor on a highlight's colour: the surface's colour as far as the finish is metallic and the angle steep, as
+/// metallic_tint() has it.
 template <bool kHasRare>
 HWY_INLINE Vec tint_of(const LayerColumns& layer, std::size_t i, V cosine) {
   const D d;
@@ -143,7 +143,7 @@ HWY_INLINE V specular(const LayerColumns& layer, std::size_t i, const Lit& lit, 
   return hn::IfThenElseZero(seen, hn::Mul(amount, power(d, square, exponent)));
 }
 
-/// What a thin film makes of white light by interference: 1 + irid cos(2 pi film (|n.l| + |n.e|) / wavelength).
+/// Tints white light by interference in a thin film: 1 + irid cos(2 pi film (|n.l| + |n.e|) / wavelength).
 HWY_INLINE Vec film_tint(const HitBlock& block, const LayerColumns& layer, std::size_t i, const Lit& lit,
                          const Vec& normal) {
   const D d;
@@ -159,7 +159,7 @@ HWY_INLINE Vec film_tint(const HitBlock& block, const LayerColumns& layer, std::
   return {hn::Load(d, tints[0]), hn::Load(d, tints[1]), hn::Load(d, tints[2])};
 }
 
-/// What chance takes from the diffuse light of one light.
+/// The part of the diffuse light of one light that chance takes.
 HWY_INLINE V chance(const HitBlock& block, const LayerColumns& layer, std::size_t i, const Lit& lit, V most) {
   alignas(64) double taken[8] = {};
   hn::Store(most, D(), taken);
@@ -170,7 +170,7 @@ HWY_INLINE V chance(const HitBlock& block, const LayerColumns& layer, std::size_
   return hn::Load(D(), taken);
 }
 
-/// What one layer makes of white light, times the ray's weight. `kHasRare`: the layer's has_rare.
+/// The light that one layer makes of white light, times the ray's weight. `kHasRare`: the layer's has_rare.
 template <bool kHasRare>
 HWY_INLINE Vec term_of(const HitBlock& block, const LayerColumns& layer, std::size_t i, const Lit& lit,
                        const Vec& normal, const Vec& mirrored) {
@@ -292,7 +292,7 @@ void begin_light_of(HitBlock& block) {
   }
 }
 
-/// What is asked of a light at every vector of hits, close together.
+/// A light's data that every vector of hits asks for, close together.
 struct Shining {
   Vec3 position;
   Vec3 color;
@@ -320,7 +320,7 @@ HWY_INLINE Vec all_lanes(const Vec3& v) {
   return {hn::Set(d, v.x), hn::Set(d, v.y), hn::Set(d, v.z)};
 }
 
-/// What all layers make of white light, times the ray's weight.
+/// The light that all layers make of white light, times the ray's weight.
 HWY_INLINE Vec terms_of(const HitBlock& block, std::size_t i, const Lit& lit, const Vec& normal, const Vec& mirrored) {
   Vec terms = layer_term_of(block, block.layers[0], i, lit, normal, mirrored);
   for (std::size_t k = 1; k < block.layer_count; ++k) {

@@ -14,7 +14,7 @@ namespace {
 
 constexpr double kNegligible = 1e-10;
 
-/// Of a layer for hits that have none. The share too, for what was there before need not be a number.
+/// Clears a layer for hits that have none. The share too, for what was there before need not be a number.
 void clear_amounts(LayerColumns& layer, std::size_t count) {
   for (Column<double>& column : layer.share.of) std::fill_n(column.at.begin(), count, 0.0);
   for (Column<double>* column : {&layer.diffuse, &layer.specular}) std::fill_n(column->at.begin(), count, 0.0);
@@ -22,7 +22,7 @@ void clear_amounts(LayerColumns& layer, std::size_t count) {
   layer.tilted = 0;
 }
 
-/// What few surfaces have. The first that has it sets what the others have instead.
+/// Sets the amounts that few surfaces have. The first that has them sets what the others have instead.
 void set_rare(LayerColumns& columns, std::size_t hit, std::size_t count, const SurfaceLayer& layer, double opacity) {
   if (!columns.has_rare) {
     columns.has_rare = true;

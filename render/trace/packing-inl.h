@@ -1,5 +1,5 @@
-// What ray tasks and the film keep, packed several at once: PackedRgb, FixedRgb and PackedDirection. Included once for
-// each instruction set, so the guard switches back and forth. The bits are the same on every machine.
+// Numbers as ray tasks and the film keep them, packed several at once: PackedRgb, FixedRgb and PackedDirection.
+// Included once for each instruction set, so the guard switches back and forth. The bits are the same on every machine.
 #if defined(FIRSTLIGHT_RENDER_TRACE_PACKING_INL_H) == defined(HWY_TARGET_TOGGLE)
 #ifdef FIRSTLIGHT_RENDER_TRACE_PACKING_INL_H
 #undef FIRSTLIGHT_RENDER_TRACE_PACKING_INL_H

@@ -76,7 +76,7 @@ void PrimaryRays::append_ray(const CameraRays& rays, std::size_t i, std::uint32_
   task.origin = ray.origin;
   task.medium = medium_.of(ray.origin);
   task.sample = sample;
-  // What a ray may do without goes by its way, not by how many share the place.
+  // Pruning goes by a ray's way, not by how many share the place.
   task.set_weight(Rgb(share), 1.0f);
 }
 

@@ -24,7 +24,7 @@ class SurfaceTable;
 class RadianceBound {
  public:
   explicit RadianceBound(const Scene& scene);
-  /// Of the scene as any camera sees it. `surfaces`: of the scene.
+  /// Bounds the scene as `camera` sees it. `surfaces`: of the scene.
   RadianceBound(const Scene& scene, const Camera& camera, const SurfaceTable& surfaces);
 
   /// False where there is no bound, and at_stake() is an estimate: rows of surfaces that take no light away but add
@@ -32,7 +32,7 @@ class RadianceBound {
   /// four in a row. Matter, filters and powers may be described that make more light of little. In random scenes of
   /// the first kind the estimate held at every moment, of the second kind at 99.9 % (radiance_bound_test.cpp).
   bool known() const { return known_; }
-  /// Of a ray of weight 1 whose parent has the given trace level; does not grow with the level.
+  /// The most that a ray of weight 1 brings whose parent has the given trace level; does not grow with the level.
   float most(int level) const { return most_[static_cast<std::size_t>(level)]; }
 
   /// The most that a task can still change any channel of its sample; at least 1, so that the sum over the tasks of a

@@ -11,7 +11,7 @@ namespace firstlight::render {
 /// Rays that are done, by kind.
 struct RayCounts {
   std::array<std::uint64_t, kRayKinds> by_kind{};  ///< indexed by RayKind
-  // Of the feelers, those that are known by their direction, so they are not traced:
+  // Feelers that are known by their direction, so they are not traced:
   std::uint64_t clear = 0;
   std::uint64_t blocked = 0;
 

@@ -5,7 +5,7 @@
 
 namespace firstlight::render {
 
-/// What a ray is looking for.
+/// Kinds of a ray, by what it is looking for.
 enum class RayKind : std::uint8_t { primary, reflection, transmission, shadow };
 
 /// How many kinds there are: the size of what is kept by kind.

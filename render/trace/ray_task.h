@@ -86,7 +86,7 @@ class RayTask {
   bool is_black() const { return ((radiance_.red | radiance_.green | last_) & kMagnitude) == 0; }
   /// The largest channel of the weight in size.
   float max_weight() const {
-    // Of numbers without a sign, the larger has the larger bits.
+    // The larger of two numbers without a sign has the larger bits.
     return std::bit_cast<float>(
         std::max({radiance_.red & kMagnitude, radiance_.green & kMagnitude, last_ & kMagnitude}));
   }

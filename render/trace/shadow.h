@@ -27,11 +27,12 @@ class Shadow {
 
   /// False where of all light either nothing is taken or everything.
   bool takes_parts() const { return takes_parts_; }
-  /// Of a light that is projected through something: ends the ray to it there, for what is beyond casts no shadow, nor does
-  /// anything if the light is without shadow. False where the ray does not lead through it. `max_depth`: to the light.
+  /// Ends the ray to a light that is projected through something at that window: nothing beyond casts a shadow, nor
+  /// does anything if the light is without shadow. False where the ray does not lead through it. `max_depth`: to the
+  /// light.
   bool end_at_window(const Light& light, const Ray& ray, double& max_depth);
-  /// Of light that goes along each of the rays, from their least depth to their largest: the share that passes.
-  /// `media`: what their origins are in; `lights`: by number. Pre: equal sizes.
+  /// Finds the share that passes of the light along each of the rays, from their least depth to their largest. `media`:
+  /// what their origins are in; `lights`: by number. Pre: equal sizes.
   void passing(const RayBlock& rays, std::span<const std::uint32_t> media, std::span<const std::uint32_t> lights,
                std::span<Rgb> shares);
   /// The same of those rays whose bit is set in `open`, which meet nothing opaque; the others' shares stay. Pre:
@@ -40,7 +41,7 @@ class Shadow {
                      std::span<const std::uint32_t> lights, std::span<Rgb> shares);
 
  private:
-  /// What is left of a ray's way to its light, and of the light.
+  /// The rest of a ray's way to its light, and the rest of the light.
   struct Way {
     std::size_t number;  ///< of the ray
     Ray ray;

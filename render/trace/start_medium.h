@@ -11,15 +11,15 @@ class MediumTable;
 struct Scene;
 class Solid;
 
-/// What a ray that begins at `point` is inside of.
+/// Finds the medium in which a ray begins at `point`.
 std::uint32_t medium_at(const Scene& scene, MediumTable& media, const Vec3& point);
 
 /// Whether a ray that begins somewhere in `origins` may begin in the solid; for a box that is one point, whether it
 /// does.
 bool may_hold_start(const Solid& solid, const Box3& origins);
 
-/// What rays are inside of that begin in a part of space: only those solids are asked that may hold any of their
-/// origins, and none where all rays begin in one point.
+/// Media of rays that begin in a part of space: only those solids are asked that may hold any of their origins, and
+/// none where all rays begin in one point.
 ///
 /// Cost     of() that of Solid::holds_start() for each of these solids.
 /// Threads  of() may be called from any thread.

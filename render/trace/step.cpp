@@ -114,7 +114,7 @@ void Stepper::step_radiance(std::span<const RayTask> tasks, std::span<const Ray>
     for (std::size_t i = 0; i < tasks.size(); ++i) block.direction.set(i, rays[i].direction);
   }
   context_.accel.closest(block, hits_);
-  // What was met lies anywhere in memory: ask for all of it before the first is needed.
+  // The parts and shapes that were met lie anywhere in memory: ask for all of them before the first is needed.
   for (std::size_t i = 0; i < tasks.size(); ++i) {
     if (hits_[i].part == kNoIndex) continue;
     __builtin_prefetch(hits_[i].shape);

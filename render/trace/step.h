@@ -98,8 +98,8 @@ class Stepper {
   /// veils_.
   void see_surroundings(std::span<const RayTask> tasks, std::span<Contribution> light);
 
-  /// What the feelers of a record change, from number `feeler` of the block on; `blocked` are the bits of those that
-  /// something opaque blocks.
+  /// Adds what the feelers of a record change, from number `feeler` of the block on; `blocked` are the bits of those
+  /// that something opaque blocks.
   void take_back(const RayTask& task, std::size_t& feeler, std::uint64_t blocked, std::uint64_t to_areas,
                  Contribution& light);
   /// Shortens feelers to lights that are projected through something, whose ways end there. Returns the bits of those
@@ -141,7 +141,7 @@ class Stepper {
   void add_feeler(std::size_t hit, std::uint32_t light, PackedRgb at_stake);
   /// Returns true where the ray cannot leave and is reflected instead (total internal reflection).
   bool spawn_transmission(const Coating& coating);
-  /// What a ray passes into at a hit, and how it is bent there.
+  /// The matter that a ray passes into at a hit, and how the ray is bent there.
   struct Passage {
     std::uint32_t medium;
     double ior;         ///< of the side the ray comes from, relative to the side it goes to
@@ -155,7 +155,7 @@ class Stepper {
   void spawn_bands(const Coating& coating, const Passage& passage, const Rgb& weight);
   /// `totally`: the coat reflects all by its topmost normal, so that mirrors of this normal have no part.
   void spawn_reflections(const Coating& coating, bool totally);
-  /// What a thin film on the mirror makes of white light that comes from where it reflects.
+  /// The colour that a thin film on the mirror makes of white light that comes from where it reflects.
   Rgb film_color(std::size_t hit, const Mirror& mirror, PackedDirection reflected) const;
   /// The layer's normal at a hit.
   Vec3 normal_at(std::size_t hit, std::uint32_t column) const;
@@ -169,7 +169,7 @@ class Stepper {
                    double& adc_weight) const;
   double relative_ior(const Surface& surface) const;
 
-  /// What all that leaves a hit has in common.
+  /// Sets what all rays that leave a hit have in common.
   void begin_child(RayTask& child, std::size_t hit, RayKind kind) const;
   /// Adds what the last of spawned_ may bring, or takes it away if that is nothing.
   void end_ray(const Surface& surface);

@@ -17,7 +17,7 @@ namespace {
 
 constexpr double kNegligible = 1e-10;
 
-/// Of terms that have no largest value: how many times what they usually are at most is allowed for. An estimate.
+/// A term that has no largest value is taken for so many times its usual largest. An estimate.
 constexpr double kUsualExcess = 4.0;
 
 double largest(const Channels& c) { return std::max({std::abs(c[0]), std::abs(c[1]), std::abs(c[2])}); }
@@ -69,7 +69,7 @@ class Maker {
  private:
   /// To be called for what a bound depends on.
   void need(bool condition) { limits_.proven = limits_.proven && condition; }
-  /// What a largest value is multiplied by that holds under a condition.
+  /// The factor on a largest value that holds under a condition.
   double usual(bool condition) {
     need(condition);
     return condition ? 1.0 : kUsualExcess;
@@ -125,7 +125,7 @@ void Maker::look_at_matter(const Box3& origins) {
     const Rgb& color = interior.fade_color;
     need(interior.fade_distance > 0.0 && std::min({color.x, color.y, color.z}) >= 0.0f && max_component(color) <= 1.0f);
   }
-  // Of one kind of matter alone, other than the air's, both sides of each surface differ, and every ray is bent.
+  // Both sides of each surface differ where all matter is of one kind, other than the air's, and every ray is bent.
   std::unordered_set<std::uint32_t> clear;
   for (const Part& part : scene_.parts) {
     if (!part.opaque) clear.insert(part.interior);
@@ -150,7 +150,7 @@ double Maker::lit(const Finish& finish, const PigmentLimits& pigment, std::size_
       std::abs(channels_of(finish.ambient)[channel] * channels_of(scene_.settings.ambient_light)[channel] +
                channels_of(finish.emission)[channel]);
   const double film = 1.0 + std::max(0.0, finish.irid);
-  // What chance takes is not less where little of the layer is left.
+  // Chance takes no less where little of the layer is left.
   const double chance = std::max(0.0, finish.crand) * pigment.color[channel].size();
   return pigment.body[channel] * (glow + film * diffuse * diffuse_lights_[channel]) +
          film * chance * diffuse_lights_[channel] + film * highlights * tint * shining_lights_[channel];

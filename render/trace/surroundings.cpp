@@ -1,4 +1,4 @@
-// What rays see besides surfaces: fog and rainbows on their way, the sky behind everything.
+// The surroundings that rays see besides surfaces: fog and rainbows on their way, the sky behind everything.
 
 #include "render/trace/step.h"
 

@@ -80,7 +80,7 @@ double sky_limit(const Scene& scene, bool& proven) {
     proven = proven && limits.is_known && !pigment->pattern->pigments;
     light += passed * std::max({limits.body[0], limits.body[1], limits.body[2]});
     passed *= limits.most_passed();
-    // Of old rules, by which filters multiply, this is a bound where all shares are such and colours are not above 1.
+    // Filters multiply by old rules, for which this is a bound if all shares are such and colours are not above 1.
     if (settings.language_version < 370) {
       const bool usual = limits.only_takes() && !limits.may_turn_negative() && limits.most_color() <= 1.0;
       proven = proven && usual;

@@ -7,8 +7,8 @@ struct Camera;
 class MediumTable;
 struct Scene;
 
-/// What tracing reads: the scene, its hierarchy, and the shared table of media. Those who only hand it on need to
-/// include nothing else.
+/// The data that tracing reads: the scene, its hierarchy, and the shared table of media. Those who only hand it on need
+/// to include nothing else.
 struct TraceContext {
   const Scene& scene;
   const Accel& accel;

@@ -12,7 +12,7 @@
 
 namespace firstlight::render {
 
-/// What lies along a ray, between its origin and what it meets: light becomes kept * light + added.
+/// The matter along a ray, between its origin and what it meets: light becomes kept * light + added.
 struct Veil {
   Rgb kept{1.0f, 1.0f, 1.0f};
   Rgb added{0.0f, 0.0f, 0.0f};

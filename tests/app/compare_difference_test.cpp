@@ -80,7 +80,7 @@ TEST(CompareDifference, GrainVanishesInTheMeansOfBlocks) {
 }
 
 TEST(CompareDifference, BlocksAtTheBorderCountForTheirPixels) {
-  // Of 9x8 pixels the last column is a block of its own: 8 of 72 pixels are 9 apart, mean square 81 / 9.
+  // The last column of 9x8 pixels is a block of its own: 8 of 72 pixels are 9 apart, mean square 81 / 9.
   Picture changed = grey(9, 8, 80);
   for (std::size_t y = 0; y < 8; ++y) {
     for (std::size_t c = 0; c < 3; ++c) changed.rgb[3 * (9 * y + 8) + c] = 89;

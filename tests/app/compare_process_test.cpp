@@ -28,7 +28,7 @@ bool lives(const fs::path& file) {
   stream >> number;
   for (int i = 0; number > 0 && i < 200; ++i) {
     if (kill(number, 0) != 0) return false;
-    // What was killed may wait a while for the system to take note of it.
+    // A killed process may wait a while for the system to take note of it.
     std::ifstream status("/proc/" + std::to_string(number) + "/stat");
     const std::string text{std::istreambuf_iterator<char>(status), {}};
     if (text.find(") Z ") != std::string::npos) return false;

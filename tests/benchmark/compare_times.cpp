@@ -1,8 +1,8 @@
 // How long a scene takes in each order: POV-Ray, the traditional order, and each scheme, in turn, several times over;
 // `firstlight compare --rounds` knows two programs only.
 //
-// What is compared is paired: every round runs all of them one after the other, and a ratio is taken within its round,
-// so that a machine that is slower for a minute is slower for all. Reported are medians, and the range of each ratio.
+// Comparisons are paired: every round runs all orders one after the other, and a ratio is taken within its round, so
+// that a machine that is slower for a minute is slower for all. Reported are medians, and the range of each ratio.
 // Usage: compare_times [--size 1024] [--rounds 7] [--threads 1] [--scene FILE.pov] [--without-povray]
 
 #include "app/compare/programs.h"

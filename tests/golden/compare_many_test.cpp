@@ -56,7 +56,7 @@ class CompareMany : public ::testing::Test {
     return run_process(words, scratch_.path(), scratch_.path(), kLimit);
   }
 
-  /// What the scenes came to, without the times.
+  /// The outcome of the scenes, without the times.
   std::string verdicts(const std::string& file) const {
     const auto json = nlohmann::json::parse(text_of(scratch_ / file));
     std::string text = json["totals"]["status"].dump() + json["totals"]["missing"].dump();

@@ -1,4 +1,4 @@
-// What the standard includes declare of textures looks as POV-Ray shows it: each name on a ball of its own, many balls a
+// Textures that the standard includes declare look as POV-Ray shows them: each name on a ball of its own, many balls a
 // picture, and the pixels around each ball compared by themselves.
 
 #include "tests/golden/picture.h"
@@ -57,7 +57,7 @@ bool names_one_of(const std::set<std::string>& names, const std::string& text) {
                      [&](const std::smatch& word) { return names.contains(word.str()); });
 }
 
-/// What a ball can wear, of what `file` declares, in its order. A value that is another name is of that name's kind.
+/// The names of `file` that a ball can wear, in their order. A value that is another name is of that name's kind.
 std::vector<Declared> declared_in(const std::string& file) {
   static const std::regex kDeclare(R"(#declare\s+(\w+)\s*=\s*(\w+))");
   static const std::set<std::string> kWorn = {"texture", "material", "pigment",   "finish",
@@ -83,7 +83,7 @@ std::vector<Declared> declared_in(const std::string& file) {
   return all;
 }
 
-/// What a ball is given to wear `declared`, with the rest made up.
+/// The text for a ball that wears `declared`, with the rest made up.
 std::string worn(const Declared& declared) {
   const std::string& name = declared.name;
   if (declared.kind == "texture" || declared.kind == "material") return fmt::format("{} {{ {} }}", declared.kind, name);

@@ -1,4 +1,4 @@
-// What cannot be written: the standard streams, the files beside the picture, links.
+// Outputs that cannot be written: the standard streams, the files beside the picture, links.
 
 #include "tests/golden/refusal.h"
 #include "tests/golden/render.h"

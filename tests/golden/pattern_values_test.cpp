@@ -72,7 +72,7 @@ std::string scene_of(const std::vector<std::string>& bodies, int generator) {
   return text + ")\n#declare I = I + 1;\n#end\n#fclose File\n#error \"written\"\n";
 }
 
-/// What `program` writes; it reads the pictures of testscenes from the folder where it runs.
+/// The numbers that `program` writes; it reads the pictures of testscenes from the folder where it runs.
 std::vector<double> values_by(const std::string& program, const std::string& scene) {
   const ScratchFolder scratch;
   const fs::path file = scratch.write("values.pov", scene);

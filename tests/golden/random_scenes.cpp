@@ -18,7 +18,8 @@
 namespace firstlight::golden {
 namespace {
 
-/// What came of one scene, in a line; empty where the pictures agree in at least `share` of 100 pixels.
+/// Compares one scene and says in a line where its pictures differ; empty where they agree in at least `share` of 100
+/// pixels.
 std::string disagreement(const std::string& text, double share) {
   const ScratchFolder scratch;
   app::compare::SceneJob job;

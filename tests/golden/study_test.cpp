@@ -44,7 +44,7 @@ struct Row {
   std::vector<double> numbers;  ///< behind the scheme
 };
 
-/// Of schemes whose names need no quotes.
+/// The rows of schemes whose names need no quotes.
 std::vector<Row> rows_of(const fs::path& csv) {
   std::vector<Row> rows;
   std::istringstream lines(text_of(csv));

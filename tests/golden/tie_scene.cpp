@@ -8,7 +8,7 @@
 namespace firstlight::golden {
 namespace {
 
-/// What has a face in the plane z = -1, without its closing brace.
+/// Objects with a face in the plane z = -1, without their closing brace.
 constexpr std::array<std::string_view, 10> kFlat = {
     "box { <-0.7, -0.6, -1>, <0.5, 0.8, 1>",
     "cylinder { <0, 0, -1>, <0.2, 0.1, 1>, 0.6",

@@ -8,7 +8,7 @@
 
 namespace firstlight::parser {
 
-/// What both print behind each expression's number; no value has it in its text.
+/// Both programs print this behind each expression's number; no value has it in its text.
 inline constexpr std::string_view kMark = "~";
 
 /// A file of tests/parser as one scene: lines that begin with '#' are its own, with '!' too, without that sign.

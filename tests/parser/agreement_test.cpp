@@ -31,7 +31,7 @@ std::vector<std::string> values_in(std::string text) {
 constexpr std::string_view kBegin =
     "#version 3.7; global_settings { assumed_gamma 1 }\ncamera { location -5*z look_at 0 }\n";
 
-/// What POV-Ray writes when it reads the scene; it need not render it.
+/// POV-Ray's messages when it reads the scene; it need not render it.
 std::string povray_says(const std::string& scene) {
   const SceneFile file(std::string(kBegin) + scene + "#debug \"~\\n\"\n#error \"done\"\n");
   const std::string command = "povray +I" + file.path() + " -D -GR -GS +W320 +H240 -F 2>&1 < /dev/null";

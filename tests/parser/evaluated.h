@@ -6,7 +6,7 @@
 
 namespace firstlight::parser {
 
-/// What `text` writes with #debug, message by message; the errors instead when there are any.
+/// The messages that `text` writes with #debug; the errors instead when there are any.
 inline std::string debugged(const std::string& text) {
   const auto result = load(text);
   const std::string failed = errors(result);

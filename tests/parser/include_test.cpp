@@ -193,7 +193,7 @@ TEST(Scene, DeclaresOfTheCommandLineAreKnown) {
   EXPECT_EQ(debugs(folder.load("#debug str(Size, 0, 1)", options)), "-2.5\n");
 }
 
-// What POV-Ray 3.7 writes for `rgb 0.5`: 188 with gamma correction, 128 without.
+// POV-Ray 3.7 writes `rgb 0.5` as 188 with gamma correction, as 128 without.
 struct GammaCase {
   const char* text;
   render::WorkingGamma gamma;

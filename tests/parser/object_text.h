@@ -12,7 +12,7 @@
 
 namespace firstlight::parser {
 
-/// What became of a text that ends with an object.
+/// The result of a text that ends with an object.
 struct ParsedObject {
   std::optional<render::Object> object;
   std::string errors;    ///< one a line
@@ -68,7 +68,7 @@ inline std::unique_ptr<const render::Scene> described_scene(std::string_view tex
   return std::move(result.scene);
 }
 
-/// What `uses` names, one word after the other.
+/// The words that `uses` names, one after the other.
 inline std::string spelled(const render::FeatureUses& uses) {
   std::string all;
   for (const render::FeatureUse& use : uses.list()) {

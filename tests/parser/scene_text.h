@@ -37,7 +37,7 @@ class SceneFile {
   std::filesystem::path path_;
 };
 
-/// What the front end makes of `text` as it stands.
+/// Loads `text` as it stands.
 inline render::LoadResult load_bare(std::string_view text) {
   const SceneFile file(text);
   return PovFrontEnd().load(file.path(), render::LoadOptions());

@@ -1,4 +1,4 @@
-// What names mean in scopes, and the prefixes that choose one.
+// Names have meanings in scopes, and prefixes choose one.
 #include "tests/parser/evaluated.h"
 
 namespace firstlight::parser {

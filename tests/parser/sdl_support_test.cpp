@@ -46,7 +46,7 @@ std::set<std::string> words_of(std::string_view text) {
   return words;
 }
 
-/// What a C++ source has between quotation marks, raw or not: the scenes that a test reads.
+/// The text that a C++ source has between quotation marks, raw or not: the scenes that a test reads.
 std::string strings_of(const std::string& source) {
   std::string strings;
   for (std::size_t i = 0; i < source.size(); ++i) {

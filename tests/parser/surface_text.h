@@ -10,7 +10,7 @@
 
 namespace firstlight::parser {
 
-/// What the front end makes of `text` when what cannot be rendered is no error; otherwise as load().
+/// Loads `text`, and takes nothing that cannot be rendered for an error; otherwise as load().
 inline render::LoadResult load_described(std::string_view text) {
   const SceneFile file("#version 3.7; global_settings { assumed_gamma 1 } " + std::string(text) +
                        "\ncamera { location <0, 0, -5> look_at 0 }\n");

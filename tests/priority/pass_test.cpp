@@ -27,7 +27,7 @@ constexpr int kHeight = 30;
 constexpr std::uint32_t kCells = 6;
 constexpr std::array<int, 3> kRaysOfRounds{50, 1, 200};
 
-/// What a map might be: sums of light by cell, which tell no progress.
+/// A sink as a map might be: sums of light by cell, which tell no progress.
 class Map final : public Sink {
  public:
   std::uint64_t samples() const override { return 0; }

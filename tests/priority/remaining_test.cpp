@@ -1,4 +1,4 @@
-// What is left is known: at every moment the picture differs from the finished one by at most what the film says.
+// The film knows what is left: at every moment the picture differs from the finished one by at most what it says.
 
 #include "priority/driver.h"
 #include "priority/order.h"
@@ -36,7 +36,7 @@ double largest_difference(const render::Rgb& a, const render::Rgb& b) {
       {std::abs(double{a.x} - double{b.x}), std::abs(double{a.y} - double{b.y}), std::abs(double{a.z} - double{b.z})});
 }
 
-/// What a colour may be off by because Film::color() gives it in single precision.
+/// The error of a colour that comes of Film::color() giving it in single precision.
 double rounding_of(const render::Rgb& color) {
   return static_cast<double>(render::max_magnitude(color)) * std::numeric_limits<float>::epsilon();
 }

@@ -11,7 +11,7 @@
 
 namespace firstlight::render {
 
-/// What Accel::closest promises, by asking every solid.
+/// The hit that Accel::closest promises, by asking every solid.
 inline Hit brute_closest(const Scene& scene, const RayQuery& query) {
   Hit best;
   best.depth = query.max_depth;

@@ -14,7 +14,7 @@ namespace firstlight::render {
 /// The light of a picture, by picture coordinates: what tracing would bring.
 using Painting = std::function<Rgb(double, double)>;
 
-/// What comes to the film: the light in steps of FixedRgb.
+/// The light as it comes to the film, in steps of FixedRgb.
 inline Rgb as_on_film(const Rgb& light) { return FixedRgb::from(light).to_rgb(); }
 
 /// Shapes with sharp edges at random places, and a smooth ground.

@@ -56,7 +56,7 @@ Rgb light_of(const Painting& painting, double x, double y, std::uint32_t number)
   return painting(x + 0.3 * std::sin(number * 1.7), y + 0.3 * std::cos(number * 2.3));
 }
 
-/// What a place becomes, sample after sample.
+/// The colour that a place becomes, sample after sample.
 Rgb place_color(const Painting& painting, const BlurSettings& settings, double x, double y) {
   const BlurRule rule(settings);
   PlaceSums sums;

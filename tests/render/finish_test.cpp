@@ -5,7 +5,7 @@
 namespace firstlight::render {
 namespace {
 
-// What POV-Ray 3.7 takes a finish to be when the scene says nothing.
+// POV-Ray 3.7 takes a finish to be this when the scene says nothing.
 TEST(Finish, DefaultsAreThoseOfTheLanguage) {
   const Finish finish;
   EXPECT_EQ(finish.ambient, Rgb(0.1f));

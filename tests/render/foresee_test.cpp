@@ -56,7 +56,7 @@ struct Starts {
   }
 };
 
-/// What Accel::foresee() says of all starts and lights.
+/// The answers of Accel::foresee() for all starts and lights.
 struct AllForeseen {
   std::vector<std::vector<Foreseen>> blocks;  ///< of kRaysAtOnce starts each, by light
 
@@ -81,7 +81,7 @@ struct AllForeseen {
   bool blocked(std::size_t start, std::size_t light) const {
     return (blocks[start / kRaysAtOnce][light].blocked >> start % kRaysAtOnce & 1u) != 0;
   }
-  /// Of all starts and lights, how many are told.
+  /// The number of pairs of a start and a light that are told.
   std::size_t count() const {
     std::size_t count = 0;
     for (const std::vector<Foreseen>& lights : blocks) {

@@ -103,7 +103,7 @@ TEST(Png, PaletteIsKeptOrResolved) {
 }
 
 TEST(Png, InterlacedPixelsComeToTheirPlaces) {
-  // Of 3 x 2 pixels, in Adam7's order: the first, the third and the second of row 0, then row 1.
+  // The 3 x 2 pixels are in Adam7's order: the first, the third and the second of row 0, then row 1.
   const Raster raster = read_png(view(png(png_header(3, 2, 8, kGrey, true), "\0\x0a\0\x1e\0\x14\0\x28\x32\x3c"s)));
   EXPECT_EQ(std::get<Bytes>(raster.samples), (Bytes{10, 20, 30, 40, 50, 60}));
 }

@@ -1,4 +1,4 @@
-// What runs over lanes has the same bits at every width, whatever stands in the other lanes.
+// Kernels over lanes have the same bits at every width, whatever stands in the other lanes.
 #include "tests/render/kernels.h"
 
 #include "tests/render/each_target.h"

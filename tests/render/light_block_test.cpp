@@ -68,7 +68,7 @@ struct LitHit {
     return sum;
   }
 
-  /// What the beam and the distance leave of a light that is at `place`, by the manual.
+  /// The share of a light at `place` that the beam and the distance leave, by the manual.
   double arriving(const Light& light, const Vec3& place) const {
     const Vec3 axis = (light.point_at - light.position).normalized();
     const Vec3 along = light.parallel ? (light.point_at - place).normalized() : (point - place).normalized();
@@ -163,7 +163,7 @@ std::unique_ptr<HitBlock> block_of(const std::vector<LitHit>& hits) {
   return block;
 }
 
-/// What the feeler of a hit to a light holds; black where none is to be traced.
+/// The light that the feeler of a hit to a light holds; black where none is to be traced.
 PackedRgb held(const HitBlock& block, std::size_t light, std::size_t hit) {
   return (block.open[light] >> hit & 1u) != 0 ? PackedRgb::from_bits(block.light[light][hit]) : PackedRgb();
 }
@@ -172,7 +172,7 @@ FixedRgb sum_of(const HitBlock& block, std::size_t hit) {
   return {block.sum.of[0][hit], block.sum.of[1][hit], block.sum.of[2][hit]};
 }
 
-/// What a block found, as bytes.
+/// The results of a block, as bytes.
 std::vector<std::int64_t> found(const HitBlock& block, std::size_t lights) {
   std::vector<std::int64_t> all;
   for (std::size_t i = 0; i < block.size; ++i) {
@@ -259,7 +259,7 @@ TEST(LightBlock, NoFeelerIsHeldWhereItsEndIsForeseen) {
       FixedRgb expected = sum_of(*traced, i);
       if (is_blocked) expected -= FixedRgb::from(all);
       if (is_clear) {
-        // What no feeler takes back has not been rounded to what a feeler can hold.
+        // Light that no feeler takes back has not been rounded to what a feeler can hold.
         FixedRgb difference = sum_of(*block, i);
         difference -= expected;
         EXPECT_LE(difference.max_magnitude(), (FixedRgb::from(all).max_magnitude() >> 17) + 2);
@@ -376,7 +376,7 @@ TEST(FeelerBlock, FeelersAimAtTheirLightsAndKnowWhatTheyHold) {
     for_each_instruction_set([&] {
       auto block = std::make_unique<FeelerBlock>();
       for (std::size_t i = 0; i < count; ++i) block->add(origins[i], lights[i], held[i]);
-      // What stands behind the last feeler is anything.
+      // The entry behind the last feeler is anything.
       if (count < kRaysAtOnce) block->light[count] = std::numeric_limits<std::int64_t>::max() / 8;
       aim_feelers(*block, places);
       weigh_feelers(*block);

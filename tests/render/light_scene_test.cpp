@@ -1,4 +1,4 @@
-// What becomes of lights when a scene is frozen: groups, what they look like, what they are projected through.
+// Lights when a scene is frozen: their groups, what they look like, what they are projected through.
 
 #include "render/scene/scene_builder.h"
 #include "render/shape/primitives.h"

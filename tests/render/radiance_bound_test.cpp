@@ -212,7 +212,7 @@ std::vector<RayTask> primaries_of(RandomScene& scene) {
   return tasks;
 }
 
-/// What a ray and all that come of it bring. Calls visit(task, light) for each of them.
+/// The light that a ray and all that come of it bring. Calls visit(task, light) for each of them.
 template <class Visit>
 FixedRgb light_of_tree(Stepper& stepper, const RayTask& task, const Visit& visit) {
   stepper.step({&task, 1});
@@ -382,7 +382,7 @@ TEST(RadianceBound, AnEstimateAllowsForFourSurfacesInARow) {
   EXPECT_GT(highlights_in_a_row(5), 1.0);
 }
 
-// What the header says of estimates is measured here.
+// Measures what the header says of estimates.
 TEST(RadianceBound, EstimatesHoldInRandomScenes) {
   for (const auto fancy : {Fancy::plausible, Fancy::clear_rows}) {
     const Held held = look_at_all_moments(fancy, 600, false);

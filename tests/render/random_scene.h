@@ -10,7 +10,7 @@
 
 namespace firstlight::render {
 
-/// What the textures and lights of a random scene may be.
+/// Kinds of textures and lights of a random scene.
 enum class Fancy {
   plausible,   ///< what makers of scenes write, with everything that surfaces can do
   clear_rows,  ///< the same, and nothing bends: glass that takes no light away, with highlights, in rows

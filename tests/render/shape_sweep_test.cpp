@@ -53,8 +53,8 @@ double distance(const SphereSweepParameters& sweep, const Vec3& p) {
   return least;
 }
 
-/// Of a placed sweep the first and the last crossing are those of the sweep. Between them, where parts overlap, POV-Ray's
-/// counting hangs on rounding.
+/// Compares the first and the last crossing of a placed sweep with those of the sweep. Between them, where parts
+/// overlap, POV-Ray's counting hangs on rounding.
 void check_placed(const ShapePtr& shape, unsigned seed) {
   RayRain rain(seed);
   const Transform transform = uneven_placement();

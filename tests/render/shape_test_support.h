@@ -62,8 +62,8 @@ class RayRain {
   double near_;
 };
 
-/// What must hold for any closed solid: crossings lie in its box, it is inside behind them and outside before, as its
-/// unit normal points; the complement is met at the same depths, with normal and inside turned around.
+/// Checks what must hold for any closed solid: crossings lie in its box, it is inside behind them and outside before,
+/// as its unit normal points; the complement is met at the same depths, with normal and inside turned around.
 inline void check_closed_solid(const ShapePtr& shape, unsigned seed) {
   RayRain rain(seed);
   const ShapePtr complement = shape->inverted();

@@ -29,7 +29,7 @@ std::string file_stem(std::size_t number, const std::string& name);
 std::string index_page(const ReportContent& content, const std::vector<SceneFiles>& files);
 std::string scene_page(const ReportContent& content, const std::vector<SceneFiles>& files, std::size_t index);
 
-/// By what a report of ours is known, in its first lines.
+/// A report of ours is known by this, in its first lines.
 inline constexpr std::string_view kReportMark = "<meta name=\"generator\" content=\"firstlight compare\">";
 
 /// A document with the style sheet and a script of ours. `title` is plain text, `body` HTML.

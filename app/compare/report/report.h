@@ -8,7 +8,7 @@
 
 namespace firstlight::app::compare {
 
-/// What a report tells of.
+/// The subjects of a report.
 struct ReportContent {
   std::span<const SceneRecord> records;
   std::string title;    ///< of the folder or list

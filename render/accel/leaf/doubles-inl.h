@@ -1,4 +1,4 @@
-// What the tests of leaves have in common.
+// The parts that the tests of all leaves share.
 // Included once for each instruction set, so the guard switches back and forth.
 #if defined(FIRSTLIGHT_RENDER_ACCEL_LEAF_DOUBLES_INL_H) == defined(HWY_TARGET_TOGGLE)
 #ifdef FIRSTLIGHT_RENDER_ACCEL_LEAF_DOUBLES_INL_H

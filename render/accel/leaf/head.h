@@ -8,7 +8,7 @@
 
 namespace firstlight::render {
 
-/// What every leaf knows of the solid that it stands for.
+/// The data that every leaf has of the solid that it stands for.
 struct LeafHead {
   const Shape* shape = nullptr;  ///< null for a solid that is more than one shape
   std::uint32_t part = kNoIndex;

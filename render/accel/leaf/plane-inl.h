@@ -89,7 +89,7 @@ HWY_INLINE void meet_planes(const std::vector<PlaneLeaf>& planes, const RayBlock
     for (std::size_t p = 0; p < planes.size(); ++p) {
       const PlaneMeeting meeting(planes[p], rays, i);
       const auto depth = meeting.depth();
-      // Of equal depths the first is of the lowest solid.
+      // The first of equal depths is of the lowest solid.
       auto met = hn::And(meeting.counts(depth, min_depth), hn::Lt(depth, nearest));
       if (planes[p].head.hidden_from != 0) met = hn::AndNot(hidden_lanes(rays, i, planes[p].head.hidden_from), met);
       nearest = hn::IfThenElse(met, depth, nearest);
