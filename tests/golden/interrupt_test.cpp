@@ -21,7 +21,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-#if defined(FIRSTLIGHT_THREAD_SANITIZER) || defined(__SANITIZE_ADDRESS__)
+#ifdef FIRSTLIGHT_SANITIZED
 constexpr double kSlower = 10.0;
 #else
 constexpr double kSlower = 1.0;

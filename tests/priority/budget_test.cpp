@@ -14,7 +14,7 @@
 namespace firstlight::priority {
 namespace {
 
-#ifdef FIRSTLIGHT_THREAD_SANITIZER
+#ifdef FIRSTLIGHT_SANITIZED
 constexpr int kWidth = 30;  // everything takes many times as long
 constexpr int kHeight = 20;
 #else

@@ -20,7 +20,7 @@ namespace {
 
 using std::chrono::milliseconds;
 
-#ifdef FIRSTLIGHT_THREAD_SANITIZER
+#ifdef FIRSTLIGHT_SANITIZED
 constexpr int kWidth = 40;  // everything takes many times as long
 constexpr int kHeight = 30;
 #else

@@ -20,7 +20,7 @@ namespace firstlight::priority {
 namespace {
 
 // No multiples of a tile.
-#ifdef FIRSTLIGHT_THREAD_SANITIZER
+#ifdef FIRSTLIGHT_SANITIZED
 constexpr int kWidth = 19;  // everything takes many times as long
 constexpr int kHeight = 17;
 constexpr std::uint32_t kSeeds = 250;

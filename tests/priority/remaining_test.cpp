@@ -15,7 +15,7 @@
 namespace firstlight::priority {
 namespace {
 
-#ifdef FIRSTLIGHT_THREAD_SANITIZER
+#ifdef FIRSTLIGHT_SANITIZED
 constexpr int kWidth = 23;  // everything takes many times as long
 constexpr int kHeight = 19;
 #else
