@@ -201,6 +201,11 @@ TEST(RadianceBound, FeelersHaveTheLightTheyCarryAtStake) {
 
 // ---- Whole trees of random scenes -----------------------------------------------------------------------------------
 
+#ifdef FIRSTLIGHT_SANITIZED
+constexpr std::uint32_t kOneIn = 3;  // of the random scenes; everything takes many times as long
+#else
+constexpr std::uint32_t kOneIn = 1;
+#endif
 constexpr std::uint32_t kColumns = 8;
 constexpr std::uint32_t kRows = 6;
 
@@ -227,7 +232,7 @@ TEST(RadianceBound, NoRayBringsMoreThanIsAtStake) {
   int known_scenes = 0;
   std::uint64_t rays = 0;
   for (const auto fancy : {Fancy::plausible, Fancy::clear_rows, Fancy::wild}) {
-    for (std::uint32_t seed = 1; seed <= 750; ++seed) {
+    for (std::uint32_t seed = 1; seed <= 750 / kOneIn; ++seed) {
       RandomScene scene(seed, fancy);
       const RadianceBound bound(scene.scene());
       if (!bound.known()) continue;
@@ -244,8 +249,8 @@ TEST(RadianceBound, NoRayBringsMoreThanIsAtStake) {
       }
     }
   }
-  EXPECT_GT(known_scenes, 800);
-  EXPECT_GT(rays, 100000u);
+  EXPECT_GT(known_scenes, 800 / static_cast<int>(kOneIn));
+  EXPECT_GT(rays, 100000u / kOneIn);
 }
 
 // ---- Pictures in progress -------------------------------------------------------------------------------------------
@@ -287,7 +292,7 @@ Sums trace_in_random_order(RandomScene& scene, std::uint32_t seed, const Visit& 
 // In wild scenes weights grow until they are no numbers any more; batches must not spread that from hit to hit.
 TEST(RandomOrder, EndsInTheSameBitsInWildScenes) {
   const auto nobody = [](const Sums&, std::span<const Contribution>) {};
-  for (std::uint32_t seed = 1; seed <= 2000; ++seed) {
+  for (std::uint32_t seed = 1; seed <= 2000 / kOneIn; ++seed) {
     RandomScene scene(seed, Fancy::wild);
     const Sums final = trace_in_random_order(scene, seed, nobody);
     EXPECT_TRUE(trace_in_random_order(scene, seed + 1000000, nobody).light == final.light) << seed;
@@ -344,9 +349,9 @@ Held look_at_all_moments(Fancy fancy, std::uint32_t scenes, bool known) {
 
 TEST(RadianceBound, WhatIsOutstandingBoundsTheDifferenceAtAnyMoment) {
   for (const auto fancy : {Fancy::plausible, Fancy::clear_rows, Fancy::wild}) {
-    const Held held = look_at_all_moments(fancy, 300, true);
-    EXPECT_GT(held.scenes, 40) << static_cast<int>(fancy);
-    EXPECT_GT(held.moments, 3000u) << static_cast<int>(fancy);
+    const Held held = look_at_all_moments(fancy, 300 / kOneIn, true);
+    EXPECT_GT(held.scenes, 40 / static_cast<int>(kOneIn)) << static_cast<int>(fancy);
+    EXPECT_GT(held.moments, 3000u / kOneIn) << static_cast<int>(fancy);
     EXPECT_EQ(held.within, held.moments) << static_cast<int>(fancy);
     EXPECT_EQ(held.means_within, held.pictures) << static_cast<int>(fancy);
   }
@@ -385,14 +390,14 @@ TEST(RadianceBound, AnEstimateAllowsForFourSurfacesInARow) {
 // Measures what the header says of estimates.
 TEST(RadianceBound, EstimatesHoldInRandomScenes) {
   for (const auto fancy : {Fancy::plausible, Fancy::clear_rows}) {
-    const Held held = look_at_all_moments(fancy, 600, false);
-    EXPECT_GT(held.scenes, 100);
-    EXPECT_GT(held.moments, 10000u);
+    const Held held = look_at_all_moments(fancy, 600 / kOneIn, false);
+    EXPECT_GT(held.scenes, 100 / static_cast<int>(kOneIn));
+    EXPECT_GT(held.moments, 10000u / kOneIn);
     EXPECT_EQ(held.within, held.moments);
     EXPECT_EQ(held.means_within, held.pictures);
   }
-  const Held wild = look_at_all_moments(Fancy::wild, 600, false);
-  EXPECT_GT(wild.scenes, 100);
+  const Held wild = look_at_all_moments(Fancy::wild, 600 / kOneIn, false);
+  EXPECT_GT(wild.scenes, 100 / static_cast<int>(kOneIn));
   EXPECT_GE(static_cast<double>(wild.within), 0.998 * static_cast<double>(wild.moments));
   EXPECT_GE(static_cast<double>(wild.means_within), 0.995 * static_cast<double>(wild.pictures));
 }
