@@ -51,7 +51,7 @@ run() {
 }
 
 install_missing $build_packages $test_packages || { failed=1; finish; }
-run release all
+run release all -j "$((2 * $(nproc)))"  # POV-Ray sleeps for most of the time that a small picture takes it
 run asan "firstlight_unit_tests firstlight_parser_fuzz" -L "unit|fuzz"
 run tsan "firstlight_render_test firstlight_priority_test firstlight_app_test" -L unit -E '^parser$'  # it has no threads
 finish
