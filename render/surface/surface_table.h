@@ -88,7 +88,7 @@ class SurfaceTable {
   const Coat* settled_coat(std::uint32_t texture) const { return settled_[texture]; }
   /// Whether a part of the scene may have highlights, as far as its outer texture tells.
   bool is_glossy(std::uint32_t part) const { return glossy_[part] != 0; }
-  /// Whether it asks for the surface's own coordinates: SurfacePoints::u and v.
+  /// Whether it asks for the surface's own coordinates: SurfacePoints::uv.
   bool goes_by_uv(std::uint32_t texture) const { return nodes_[roots_[texture]].by_uv; }
   /// Whether it asks for more of the surface than the point alone: SurfacePoints::on_surface.
   bool goes_by_surface(std::uint32_t texture) const { return nodes_[roots_[texture]].by_surface; }
