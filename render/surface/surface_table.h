@@ -104,6 +104,13 @@ class SurfaceTable {
   void unfold(std::uint32_t texture, const SurfacePoints& points, CoatList& coats) const;
   /// What the layer is at the coat's points. It leaves its normals in points.tilted.
   void look(const SurfaceLayer& layer, CoatPoints& points, LayerLook& look) const;
+  /// Multiplies light by what passes the texture, if that is the same everywhere; else returns false.
+  bool filter_evenly(std::uint32_t texture, Rgb& light) const {
+    const Coat* const coat = even_coat(texture);
+    if (coat == nullptr) return false;
+    for (const SurfaceLayer& layer : layers(*coat)) light *= layer.color.passed;
+    return true;
+  }
   /// Multiplies light[i] by what passes the texture at point i, given in the scene. `caustics`: of the interior; not 0:
   /// light is gathered where it falls steeply, so that more may pass than came. Pre: then the points are on the surface.
   /// `scratch`: what it holds is lost.

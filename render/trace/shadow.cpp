@@ -141,9 +141,9 @@ void Shadow::pass() {
 }
 
 std::uint64_t Shadow::filter_light() {
-  find_filters();
-  order_.resize(filters_.size());
-  std::iota(order_.begin(), order_.end(), 0u);
+  const auto [done, shared] = find_filters();
+  std::uint64_t found = done | shared;
+  if (found == done && filters_.empty()) return found;
   const auto key = [&](std::uint32_t number) {
     const Filter& filter = filters_[number];
     return std::tuple(filter.texture, filter.caustics, number);
@@ -160,30 +160,24 @@ std::uint64_t Shadow::filter_light() {
     first = end;
   }
 
-  std::uint64_t found = 0;
   std::array<Rgb, kRaysAtOnce> sums;
-  for (std::size_t i = 0; i < ways_.size(); ++i) {
-    if (!part_at(i).has_shape_textures) continue;
-    sums[i] = Rgb(0.0f);
-    found |= std::uint64_t{1} << i;
-  }
-  const std::uint64_t summed = found;
+  if (shared != 0) sums.fill(Rgb(0.0f));
   for (const Filter& filter : filters_) {
-    if ((summed >> filter.way & 1u) != 0) {
+    if ((shared >> filter.way & 1u) != 0) {
       sums[filter.way] += filter.passed * static_cast<float>(filter.share);
     } else {
       ways_[filter.way].passed = filter.passed;
       found |= std::uint64_t{1} << filter.way;
     }
   }
-  for (std::uint64_t bits = summed; bits != 0; bits &= bits - 1) {
+  for (std::uint64_t bits = shared; bits != 0; bits &= bits - 1) {
     const auto i = static_cast<std::size_t>(std::countr_zero(bits));
     ways_[i].passed *= sums[i];
   }
   return found;
 }
 
-void Shadow::find_filters() {
+Shadow::Sides Shadow::find_filters() {
   const auto find_normals = [&](std::uint64_t which) {
     for_each_run(*met_, which, [&](const Shape& shape, std::size_t first, std::size_t end) {
       shape.normals(*met_, first, end, normals_);
@@ -196,34 +190,54 @@ void Shadow::find_filters() {
   find_normals(has_two_sides);
 
   filters_.clear();
+  order_.clear();
   std::uint64_t by_surface = 0;
   std::uint64_t by_uv = 0;
-  const auto add = [&](std::size_t i, std::uint32_t texture, double share) {
+  const auto add = [&](std::size_t i, std::uint32_t texture, double share, bool is_even, const Rgb& passed) {
     const Part& part = part_at(i);
     const double caustics = context_.scene.interiors[part.interior]->caustics;
+    filters_.push_back(Filter{texture, static_cast<std::uint8_t>(i), part.uv_mapping, share, caustics, passed});
+    if (is_even) return;
+    order_.push_back(static_cast<std::uint32_t>(filters_.size() - 1));
     const auto bit = [i](bool is_set) { return static_cast<std::uint64_t>(is_set) << i; };
     by_surface |= bit(caustics != 0.0 || surfaces_.goes_by_surface(texture));
     by_uv |= bit(part.uv_mapping || surfaces_.goes_by_uv(texture));
-    const Rgb light = part.has_shape_textures ? Rgb(1.0f) : ways_[i].passed;
-    filters_.push_back(Filter{texture, static_cast<std::uint8_t>(i), part.uv_mapping, share, caustics, light});
+  };
+  const auto filter_evenly = [&](std::size_t i, std::uint32_t texture, Rgb& light) {
+    return context_.scene.interiors[part_at(i).interior]->caustics == 0.0 && surfaces_.filter_evenly(texture, light);
   };
   std::uint64_t has_own = 0;
+  Sides sides;
   for (std::size_t i = 0; i < ways_.size(); ++i) {
     const Part& part = part_at(i);
-    const bool from_inside =
-        (has_two_sides >> i & 1u) != 0 && normals_.vector(i).dot(ways_[i].ray.direction) > 0.0;
+    const std::uint64_t bit = std::uint64_t{1} << i;
+    if (part.has_shape_textures) sides.shared |= bit;
+    const bool from_inside = (has_two_sides & bit) != 0 && normals_.vector(i).dot(ways_[i].ray.direction) > 0.0;
     if (shows_own_textures(part, from_inside)) {
-      has_own |= std::uint64_t{1} << i;
-    } else if (const std::uint32_t texture = only_texture(part, from_inside); texture != kNoIndex) {
-      add(i, texture, 1.0);
+      has_own |= bit;
+      continue;
+    }
+    const std::uint32_t texture = only_texture(part, from_inside);
+    if (texture == kNoIndex) continue;
+    Rgb light = part.has_shape_textures ? Rgb(1.0f) : ways_[i].passed;
+    const bool is_even = filter_evenly(i, texture, light);
+    if (!is_even || part.has_shape_textures) {
+      add(i, texture, 1.0, is_even, light);
+    } else {
+      ways_[i].passed = light;
+      sides.done |= bit;
     }
   }
-  for_each_own_texture(context_.scene, *met_, has_own, worn_, add);
-
+  for_each_own_texture(context_.scene, *met_, has_own, worn_, [&](std::size_t i, std::uint32_t texture, double share) {
+    Rgb tint(1.0f);
+    const bool is_even = filter_evenly(i, texture, tint);
+    add(i, texture, share, is_even, tint);
+  });
   find_normals(by_surface & ~has_two_sides);
   for_each_run(*met_, by_uv, [&](const Shape& shape, std::size_t first, std::size_t end) {
     shape.uvs(*met_, first, end, uvs_);
   });
+  return sides;
 }
 
 void Shadow::ask_filters(std::span<const std::uint32_t> numbers) {

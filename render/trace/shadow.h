@@ -56,11 +56,11 @@ class Shadow {
   /// A texture that a way leads through.
   struct Filter {
     std::uint32_t texture;
-    std::uint8_t way;    ///< of ways_, and of met_
-    bool follows_uv;     ///< its part is mapped by the surface's own coordinates
-    double share;        ///< of how the surface looks there
-    double caustics;     ///< of the interior
-    Rgb passed;          ///< of the light that comes there, or of white light: Part::has_shape_textures
+    std::uint8_t way;  ///< of ways_, and of met_
+    bool follows_uv;   ///< its part is mapped by the surface's own coordinates
+    double share;      ///< of how the surface looks there
+    double caustics;   ///< of the interior
+    Rgb passed;        ///< of the light that comes there; of white light where textures share the surface
   };
 
   /// Takes the rays of ways_ through the surfaces of met_.
@@ -70,8 +70,13 @@ class Shadow {
   Rgb arriving(Way& way) const;
   /// Takes from the light of ways_ what the surfaces of met_ keep. Returns bits of those that have a texture.
   std::uint64_t filter_light();
+  /// Bits of ways.
+  struct Sides {
+    std::uint64_t done = 0;    ///< through one texture that is even, which has had its part already and is no filter
+    std::uint64_t shared = 0;  ///< through surfaces that several textures may share: Part::has_shape_textures
+  };
   /// Sets filters_ to what the surfaces wear, and normals_ and uvs_ to what those ask for.
-  void find_filters();
+  Sides find_filters();
   /// Sets what passes filters of one texture and of equal caustics, at most kRaysAtOnce, by number.
   void ask_filters(std::span<const std::uint32_t> numbers);
   const Part& part_at(std::size_t way) const { return context_.scene.parts[met_->crossing[way]->part]; }
@@ -84,7 +89,7 @@ class Shadow {
   Columns3<double> normals_;            ///< of met_, where they are asked for
   Columns2<double> uvs_;                ///< likewise
   std::vector<Filter> filters_;
-  std::vector<std::uint32_t> order_;  ///< of filters_, by texture
+  std::vector<std::uint32_t> order_;  ///< of those of filters_ that are to be asked, by texture
   std::unique_ptr<SurfacePoints> asked_;
   CoatList coats_;
   std::vector<TextureShare> worn_;
