@@ -173,9 +173,8 @@ void Stepper::meet(std::size_t place, std::size_t number, const RayTask& task, c
 }
 
 void Stepper::wear_own_textures() {
-  for_each_own_texture(
-      context_.scene, *block_, own_textures_, worn_,
-      [&](std::size_t hit, std::uint32_t texture, double share) { wear(hit, texture, share); });
+  for_each_own_texture(context_.scene, *block_, own_textures_, worn_,
+                       [&](std::size_t hit, std::uint32_t texture, double share) { wear(hit, texture, share); });
 }
 
 // In the order of textures' numbers, and each with its coats in the order of its maps, so that what is added up for a hit
@@ -187,9 +186,8 @@ void Stepper::meet_uneven() {
     const bool asks = table_->goes_by_uv(uneven.texture) || surfaces_[uneven.hit].part->uv_mapping;
     by_uv |= static_cast<std::uint64_t>(asks) << uneven.hit;
   }
-  for_each_run(*block_, by_uv, [&](const Shape& shape, std::size_t first, std::size_t end) {
-    shape.uvs(*block_, first, end, uvs_);
-  });
+  for_each_run(*block_, by_uv,
+               [&](const Shape& shape, std::size_t first, std::size_t end) { shape.uvs(*block_, first, end, uvs_); });
   for (std::size_t first = 0; first < uneven_.size();) {
     const std::uint32_t texture = uneven_[first].texture;
     std::size_t end = first;

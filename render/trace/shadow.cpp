@@ -234,9 +234,8 @@ Shadow::Sides Shadow::find_filters() {
     add(i, texture, share, is_even, tint);
   });
   find_normals(by_surface & ~has_two_sides);
-  for_each_run(*met_, by_uv, [&](const Shape& shape, std::size_t first, std::size_t end) {
-    shape.uvs(*met_, first, end, uvs_);
-  });
+  for_each_run(*met_, by_uv,
+               [&](const Shape& shape, std::size_t first, std::size_t end) { shape.uvs(*met_, first, end, uvs_); });
   return sides;
 }
 

@@ -31,7 +31,8 @@ void for_each_own_texture(const Scene& scene, const SurfacePlaces& places, std::
       const Part& part = scene.parts[places.crossing[share.place]->part];
       const std::uint32_t texture =
           share.texture == kObjectTexture ? part.texture : scene.shape_textures[part.shape_textures + share.texture];
-      if (texture != kNoIndex && !(share.weight < scene.settings.adc_bailout)) visit(share.place, texture, share.weight);
+      if (texture == kNoIndex || share.weight < scene.settings.adc_bailout) continue;
+      visit(share.place, texture, share.weight);
     }
   });
 }
