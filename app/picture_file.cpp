@@ -10,16 +10,30 @@
 #include <unistd.h>
 
 #include <filesystem>
+#include <span>
+#include <vector>
 
 namespace firstlight::app {
 
 std::string write_film(const std::string& path, const render::Film& film, const render::Settings& settings) {
   const render::Encoding encoding = render::file_encoding(settings);
-  const std::vector<render::Rgb> colors = render::preview(film);
+  const bool is_complete = film.is_complete();
   if (render::holds_light(path)) {
+    const std::vector<render::Rgb> colors = is_complete ? film.snapshot() : render::preview(film);
     return render::write_light(path, film.width(), film.height(), render::to_light(colors, encoding));
   }
-  return render::write_picture(path, {film.width(), film.height(), render::to_bytes(colors, encoding)});
+  if (!is_complete) {
+    return render::write_picture(path,
+                                 {film.width(), film.height(), render::to_bytes(render::preview(film), encoding)});
+  }
+  // Row by row: what is complete has no holes to be filled, and large pictures are little more in memory than their film.
+  render::ByteTable table(encoding);
+  std::vector<render::Rgb> row(static_cast<std::size_t>(film.width()));
+  const auto make_row = [&](int y, std::span<std::uint8_t> rgb) {
+    film.row(y, row);
+    table.encode(row, rgb);
+  };
+  return render::write_picture(path, render::PictureRows{film.width(), film.height(), make_row});
 }
 
 std::string check_writable(const std::string& name) {

@@ -12,6 +12,13 @@ Film::Film(int width, int height)
       samples_(static_cast<std::size_t>(width) * static_cast<std::size_t>(height)),
       lit_(samples_.size()) {}
 
+void Film::expect(std::int64_t most, std::int64_t least) {
+  most_ = most;
+  least_ = least;
+  samples_.touch(lit_.size());
+  lit_.touch(lit_.size());
+}
+
 void Film::deal_out(int threads) {
   constexpr std::size_t kBands = 4;      // of each thread, so that all get some of what is hard
   constexpr std::size_t kRows = 16;      // of a band, at least and as a multiple: primary rays come in tiles of so many
@@ -28,9 +35,7 @@ void Film::deal_out(int threads) {
 }
 
 inline void Film::add_plainly(const Contribution& contribution) {
-  const auto add = [](std::atomic<std::int64_t>& sum, std::int64_t change) {
-    sum.store(FixedRgb::sum(sum.load(std::memory_order_relaxed), change), std::memory_order_relaxed);
-  };
+  const auto add = [](std::int64_t& sum, std::int64_t change) { store(sum, FixedRgb::sum(load(sum), change)); };
   Sample& sample = samples_[contribution.sample];
   add(sample.r, contribution.light.r);
   add(sample.g, contribution.light.g);
@@ -91,9 +96,7 @@ Rgb Film::color(int x, int y) const {
 
 Rgb Film::sample_color(std::uint32_t sample) const {
   const Sample& sums = samples_[sample];
-  return FixedRgb{sums.r.load(std::memory_order_relaxed), sums.g.load(std::memory_order_relaxed),
-                  sums.b.load(std::memory_order_relaxed)}
-      .to_rgb();
+  return FixedRgb{load(sums.r), load(sums.g), load(sums.b)}.to_rgb();
 }
 
 double Film::outstanding(int x, int y) const {
@@ -148,49 +151,58 @@ double Film::most_change_of_mean(std::uint32_t pixel) const {
   return std::min(to_mean + FixedRgb::to_double(outstanding) / count, most_change(color));
 }
 
-std::vector<Rgb> Film::snapshot() const {
-  std::vector<Rgb> picture;
-  picture.reserve(lit_.size());
+bool Film::is_complete() const {
   for (int y = 0; y < height_; ++y) {
-    for (int x = 0; x < width_; ++x) picture.push_back(color(x, y));
+    for (int x = 0; x < width_; ++x) {
+      if (!is_lit(x, y) || outstanding(x, y) != 0.0) return false;
+    }
   }
+  return true;
+}
+
+void Film::row(int y, std::span<Rgb> colors) const {
+  for (int x = 0; x < width_; ++x) colors[static_cast<std::size_t>(x)] = color(x, y);
+}
+
+std::vector<Rgb> Film::snapshot() const {
+  std::vector<Rgb> picture(lit_.size());
+  for (int y = 0; y < height_; ++y) row(y, std::span(picture).subspan(index(0, y), static_cast<std::size_t>(width_)));
   return picture;
 }
 
 void Film::begin_refinement(std::uint32_t room) {
   const std::size_t pixels = lit_.size();
-  samples_ = std::vector<Sample>();  // gives its memory back before more is asked for
-  samples_ = std::vector<Sample>(pixels + room);
-  states_ = std::vector<std::atomic<State>>(pixels);
-  for (std::atomic<State>& state : states_) state.store(State::undecided, std::memory_order_relaxed);
-  refined_ = std::vector<Refined>(pixels);
-  first_of_mean_.resize(pixels);
-  pixel_of_more_.resize(room);
+  samples_ = ZeroedPages<Sample>();  // gives its memory back before more is asked for
+  samples_ = ZeroedPages<Sample>(pixels + room);
+  states_ = ZeroedPages<State>(pixels);
+  refined_ = ZeroedPages<Refined>(pixels);
+  first_of_mean_ = ZeroedPages<std::uint32_t>(pixels);
+  pixel_of_more_ = ZeroedPages<std::uint32_t>(room);
 }
 
 void Film::begin_samples(std::span<const std::uint32_t> pixels) {
   std::ranges::copy(pixels, pixel_of_more_.begin());
   for (std::size_t i = 0; i < pixels.size(); ++i) {
     Sample& sample = samples_[lit_.size() + i];
-    for (auto* const sum : {&sample.r, &sample.g, &sample.b, &sample.change}) sum->store(0, std::memory_order_relaxed);
+    for (std::int64_t* const sum : {&sample.r, &sample.g, &sample.b, &sample.change}) store(*sum, std::int64_t{0});
   }
 }
 
-void Film::settle(std::uint32_t pixel) { states_[pixel].store(State::first_sample, std::memory_order_release); }
+void Film::settle(std::uint32_t pixel) { store(states_[pixel], State::first_sample, std::memory_order_release); }
 
 void Film::average(std::uint32_t pixel, std::uint32_t first, std::uint32_t count) {
   first_of_mean_[pixel] = first;
   count_of_mean_.store(count, std::memory_order_relaxed);
-  states_[pixel].store(State::averaged, std::memory_order_release);
+  store(states_[pixel], State::averaged, std::memory_order_release);
 }
 
 void Film::refine(std::uint32_t pixel, const Rgb& color, float open) {
   Refined& refined = refined_[pixel];
-  refined.r.store(color.x, std::memory_order_relaxed);
-  refined.g.store(color.y, std::memory_order_relaxed);
-  refined.b.store(color.z, std::memory_order_relaxed);
-  refined.open.store(open, std::memory_order_relaxed);
-  states_[pixel].store(State::refined, std::memory_order_release);
+  store(refined.r, color.x);
+  store(refined.g, color.y);
+  store(refined.b, color.z);
+  store(refined.open, open);
+  store(states_[pixel], State::refined, std::memory_order_release);
 }
 
 }  // namespace firstlight::render

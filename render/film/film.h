@@ -2,6 +2,7 @@
 
 #include "render/math/color.h"
 #include "render/math/fixed_rgb.h"
+#include "render/math/zeroed_pages.h"
 
 #include <tbb/spin_mutex.h>
 
@@ -17,7 +18,8 @@ namespace firstlight::render {
 ///
 /// Samples  The first of each pixel are numbered along the rows from the top; what lies beyond them is anti-aliasing's.
 /// Order    The sums do not depend on the order or the grouping of add() calls, bit for bit.
-/// Memory   33 bytes a sample; with anti-aliasing 21 more a pixel, and 36 for each sample there is room for.
+/// Memory   33 bytes a sample; with anti-aliasing up to 21 more a pixel, and 36 for each sample there is room for. That of
+///          the pixels is taken from the system by expect(), the rest as it is used.
 /// Threads  add(), mark_lit() and all that read may be called from any thread; a reader may see some of a batch's
 ///          contributions and not others. The rest: one thread, while nobody adds.
 class Film {
@@ -31,10 +33,7 @@ class Film {
   /// To be called before anything is added: each sample's primary ray can bring `most` at most, in steps of FixedRgb.
   void expect(std::int64_t most) { expect(most, -most); }
   /// The same where no sample ends below `least`.
-  void expect(std::int64_t most, std::int64_t least) {
-    most_ = most;
-    least_ = least;
-  }
+  void expect(std::int64_t most, std::int64_t least);
   /// Deals the samples out among `threads` that will add at the same time, one if this is never called: bands of rows,
   /// turn by turn. Anyone may add to any sample, but who keeps to its own meets no other thread there, neither at a
   /// lock nor in a cache. Pre: nobody adds meanwhile.
@@ -49,14 +48,18 @@ class Film {
   void fetch(std::uint32_t sample) const { __builtin_prefetch(&samples_[sample], 1); }
   /// The light of the primary ray of `sample` is on the film.
   void mark_lit(std::uint32_t sample) {
-    if (sample < lit_.size()) lit_[sample].store(1, std::memory_order_relaxed);
+    if (sample < lit_.size()) store(lit_[sample], std::uint8_t{1});
   }
 
-  bool is_lit(int x, int y) const { return lit_[index(x, y)].load(std::memory_order_relaxed) != 0; }
+  bool is_lit(int x, int y) const { return load(lit_[index(x, y)]) != 0; }
   /// The colour of a pixel, as far as it is: its first sample, or what anti-aliasing has made of several.
   Rgb color(int x, int y) const;
   /// The most that rays still to be traced can change any channel of a pixel; 0: the pixel is complete.
   double outstanding(int x, int y) const;
+  /// Whether all pixels are.
+  bool is_complete() const;
+  /// The colours of a row. Pre: as many as the picture is wide.
+  void row(int y, std::span<Rgb> colors) const;
   /// All colours, rows from the top.
   std::vector<Rgb> snapshot() const;
 
@@ -82,26 +85,29 @@ class Film {
   /// that are complete. Pre: `count` is the same for all pixels, and more than 0.
   void average(std::uint32_t pixel, std::uint32_t first, std::uint32_t count);
   Rgb refined_color(std::uint32_t pixel) const { return refined_[pixel].color(); }
-  float open_share(std::uint32_t pixel) const { return refined_[pixel].open.load(std::memory_order_relaxed); }
+  float open_share(std::uint32_t pixel) const { return load(refined_[pixel].open); }
 
  private:
+  // What lies in these begins as zeros, and is changed and read by threads as by std::atomic.
   struct alignas(32) Sample {
-    std::atomic<std::int64_t> r = 0;
-    std::atomic<std::int64_t> g = 0;
-    std::atomic<std::int64_t> b = 0;
-    std::atomic<std::int64_t> change = 0;  ///< of the most that may still come, most_ at first
+    std::int64_t r, g, b;
+    std::int64_t change;  ///< of the most that may still come, most_ at first
   };
-  enum class State : std::uint8_t { first_sample, undecided, averaged, refined };
+  enum class State : std::uint8_t { undecided, first_sample, averaged, refined };
   struct Refined {
-    std::atomic<float> r = 0.0f;
-    std::atomic<float> g = 0.0f;
-    std::atomic<float> b = 0.0f;
-    std::atomic<float> open = 0.0f;
+    float r, g, b;
+    float open;
 
-    Rgb color() const {
-      return {r.load(std::memory_order_relaxed), g.load(std::memory_order_relaxed), b.load(std::memory_order_relaxed)};
-    }
+    Rgb color() const { return {load(r), load(g), load(b)}; }
   };
+  template <class T>
+  static T load(const T& number, std::memory_order order = std::memory_order_relaxed) {
+    return std::atomic_ref(const_cast<T&>(number)).load(order);
+  }
+  template <class T>
+  static void store(T& number, T value, std::memory_order order = std::memory_order_relaxed) {
+    std::atomic_ref(number).store(value, order);
+  }
 
   /// Held while samples of one owner change.
   struct alignas(64) Lock {
@@ -117,10 +123,10 @@ class Film {
     return static_cast<std::size_t>(y) * static_cast<std::size_t>(width_) + static_cast<std::size_t>(x);
   }
   std::int64_t sample_outstanding(std::uint32_t sample) const {
-    return FixedRgb::sum(most_, samples_[sample].change.load(std::memory_order_relaxed));
+    return FixedRgb::sum(most_, load(samples_[sample].change));
   }
   State state(std::size_t pixel) const {
-    return states_.empty() ? State::first_sample : states_[pixel].load(std::memory_order_acquire);
+    return states_.empty() ? State::first_sample : load(states_[pixel], std::memory_order_acquire);
   }
 
   /// The most that a mean of samples can be away from `color` in any channel, if nothing is known of them.
@@ -130,20 +136,20 @@ class Film {
 
   int width_;
   int height_;
-  std::vector<Sample> samples_;
+  ZeroedPages<Sample> samples_;
   std::size_t threads_ = 1;
   std::uint32_t range_shift_ = 0;     ///< samples are dealt out in ranges of 2^range_shift_
   std::vector<std::uint8_t> owners_;  ///< of each range of the pixels
   std::array<Lock, kMostOwners> locks_;
-  std::vector<std::atomic<std::uint8_t>> lit_;
+  ZeroedPages<std::uint8_t> lit_;
   std::int64_t most_ = 0;   // that a sample can end with
   std::int64_t least_ = 0;  // the same from below
   // The rest is of anti-aliasing; empty without it.
-  std::vector<std::atomic<State>> states_;
-  std::vector<Refined> refined_;
-  std::vector<std::uint32_t> first_of_mean_;
+  ZeroedPages<State> states_;
+  ZeroedPages<Refined> refined_;
+  ZeroedPages<std::uint32_t> first_of_mean_;
   std::atomic<std::uint32_t> count_of_mean_ = 0;
-  std::vector<std::uint32_t> pixel_of_more_;
+  ZeroedPages<std::uint32_t> pixel_of_more_;
 };
 
 }  // namespace firstlight::render

@@ -1,6 +1,7 @@
 #include "render/image/encode.h"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 #include <limits>
 
@@ -11,6 +12,14 @@ namespace {
 float to_srgb(float light) {
   return light <= 0.0031308f ? light * 12.92f : 1.055f * std::pow(light, 1.0f / 2.4f) - 0.055f;
 }
+
+// Of ByteTable: numbers from 2^-12 to 2. Smaller ones are nearly black, and larger ones rare.
+constexpr unsigned kRangeBits = 13;
+constexpr std::uint32_t kWithinRange = (1u << kRangeBits) - 1;
+constexpr std::uint32_t kFirstRange = std::bit_cast<std::uint32_t>(0x1p-12f) >> kRangeBits;
+constexpr std::uint32_t kRanges = (std::bit_cast<std::uint32_t>(2.0f) >> kRangeBits) - kFirstRange;
+constexpr std::uint16_t kSeveral = 256;
+constexpr std::uint16_t kUnknown = 257;
 
 float from_srgb(float value) { return value < 0.04045f ? value / 12.92f : std::pow((value + 0.055f) / 1.055f, 2.4f); }
 
@@ -40,12 +49,35 @@ float Encoding::light(float working) const {
   return std::clamp(value, -kLargest, kLargest);
 }
 
-std::vector<std::uint8_t> to_bytes(std::span<const Rgb> colors, const Encoding& encoding) {
-  std::vector<std::uint8_t> bytes;
-  bytes.reserve(colors.size() * 3);
+// Ranges share their upper bits: sign, exponent, and ten of the mantissa. byte() grows with its number, so that what
+// becomes of a range's ends becomes of all between them.
+ByteTable::ByteTable(const Encoding& encoding) : encoding_(encoding), known_(kRanges, kUnknown) {}
+
+std::uint16_t ByteTable::ask(float working) const {
+  const std::uint32_t bits = std::bit_cast<std::uint32_t>(working);
+  const std::uint8_t low = encoding_.byte(std::bit_cast<float>(bits & ~kWithinRange));
+  const std::uint8_t high = encoding_.byte(std::bit_cast<float>(bits | kWithinRange));
+  return low == high ? low : kSeveral;
+}
+
+inline std::uint8_t ByteTable::byte(float working) {
+  const std::uint32_t range = (std::bit_cast<std::uint32_t>(working) >> kRangeBits) - kFirstRange;
+  if (range >= kRanges) return encoding_.byte(working);
+  std::uint16_t& known = known_[range];
+  if (known == kUnknown) known = ask(working);
+  return known == kSeveral ? encoding_.byte(working) : static_cast<std::uint8_t>(known);
+}
+
+void ByteTable::encode(std::span<const Rgb> colors, std::span<std::uint8_t> bytes) {
+  std::size_t i = 0;
   for (const Rgb& color : colors) {
-    for (const float channel : {color.x, color.y, color.z}) bytes.push_back(encoding.byte(channel));
+    for (const float channel : {color.x, color.y, color.z}) bytes[i++] = byte(channel);
   }
+}
+
+std::vector<std::uint8_t> to_bytes(std::span<const Rgb> colors, const Encoding& encoding) {
+  std::vector<std::uint8_t> bytes(colors.size() * 3);
+  ByteTable(encoding).encode(colors, bytes);
   return bytes;
 }
 

@@ -35,6 +35,22 @@ class Encoding {
   float exponent_;
 };
 
+/// Encoding::byte() of many colours, one picture's, say: of most numbers it is known from their neighbours.
+class ByteTable {
+ public:
+  explicit ByteTable(const Encoding& encoding);
+
+  /// Red green blue of each colour. Pre: room for 3 * colors.size() of them.
+  void encode(std::span<const Rgb> colors, std::span<std::uint8_t> bytes);
+
+ private:
+  std::uint8_t byte(float working);
+  std::uint16_t ask(float working) const;
+
+  Encoding encoding_;
+  std::vector<std::uint16_t> known_;  ///< of each range of numbers: their byte, or kSeveral, or kUnknown
+};
+
 /// Red green blue of each colour.
 std::vector<std::uint8_t> to_bytes(std::span<const Rgb> colors, const Encoding& encoding);
 std::vector<float> to_light(std::span<const Rgb> colors, const Encoding& encoding);

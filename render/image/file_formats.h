@@ -1,9 +1,11 @@
 #pragma once
 
+#include "render/image/picture_rows.h"
 #include "render/image/raster.h"
 
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <span>
 #include <stdexcept>
 #include <vector>
@@ -42,10 +44,13 @@ Raster read_hdr(FileBytes file);
 Raster read_pnm(FileBytes file);
 Raster read_tga(FileBytes file);
 
-// The bytes of a file, of a picture that has pixels. `rgb` as in Picture.
-std::vector<std::uint8_t> make_png(int width, int height, const std::uint8_t* rgb);
-std::vector<std::uint8_t> make_jpeg(int width, int height, const std::uint8_t* rgb);
-std::vector<std::uint8_t> make_ppm(int width, int height, const std::uint8_t* rgb);
-std::vector<std::uint8_t> make_tga(int width, int height, const std::uint8_t* rgb);
+/// Takes the bytes of a file, one part after the other.
+using PutBytes = std::function<void(FileBytes part)>;
+
+// Make a file of a picture that has pixels.
+void make_png(const PictureRows& picture, const PutBytes& put);
+void make_jpeg(const PictureRows& picture, const PutBytes& put);
+void make_ppm(const PictureRows& picture, const PutBytes& put);
+void make_tga(const PictureRows& picture, const PutBytes& put);
 
 }  // namespace firstlight::render

@@ -26,11 +26,11 @@ namespace {
 namespace fs = std::filesystem;
 
 struct Format {
-  using Make = std::vector<std::uint8_t> (*)(int width, int height, const std::uint8_t* rgb);
+  using Make = void (*)(const PictureRows& picture, const PutBytes& put);
 
   std::string_view extension;
   bool light = false;   ///< linear light in floats, else 8 bits on the sRGB curve
-  Make make = nullptr;  ///< its bytes; without it, what the module makes
+  Make make = nullptr;  ///< its files; without it, the module
 };
 
 constexpr std::array kFormats = {Format{"png", false, make_png},
@@ -78,27 +78,40 @@ fs::path temporary_beside(const fs::path& target) {
   return target.parent_path() / fmt::format(".firstlight-{}-{}.part", static_cast<long>(::getpid()), count++);
 }
 
-/// Writes a whole file; the system's reason when that fails, else empty. `is_new`: the file must not exist yet.
-std::string write_file(const fs::path& path, std::span<const unsigned char> bytes, bool is_new) {
+/// Writes a whole file: `make` has it, part by part. The system's reason when that fails, or make's, else empty. `is_new`:
+/// the file must not exist yet.
+template <class Make>
+std::string write_file(const fs::path& path, bool is_new, const Make& make) {
   std::FILE* const file = std::fopen(path.c_str(), is_new ? "wbx" : "wb");
   if (file == nullptr) return std::generic_category().message(errno);
-  int failure = std::fwrite(bytes.data(), 1, bytes.size(), file) == bytes.size() ? 0 : errno;
+  int failure = 0;
+  const auto put = [&](FileBytes part) {
+    if (failure == 0 && std::fwrite(part.data(), 1, part.size(), file) != part.size()) failure = errno;
+  };
+  std::string error;
+  try {
+    error = make(put);
+  } catch (const std::exception& problem) {
+    error = problem.what();
+  }
   if (std::fflush(file) != 0 && failure == 0) failure = errno;
   if (std::fclose(file) != 0 && failure == 0) failure = errno;
-  return failure == 0 ? "" : std::generic_category().message(failure);
+  return failure == 0 || !error.empty() ? error : std::generic_category().message(failure);
 }
 
-/// The bytes of a file; `error` says why there are none.
-std::vector<std::uint8_t> encode(const Format& format, const ImageCodec::Pixels& pixels, std::string& error) {
-  if (format.make != nullptr) {
-    return format.make(pixels.width, pixels.height, static_cast<const std::uint8_t*>(pixels.data));
-  }
+/// Has the module make a file. Empty, or why that failed.
+std::string make_by_module(const Format& format, const ImageCodec::Pixels& pixels, const PutBytes& put) {
+  std::string error;
   const ImageCodec* const codec = image_codec(error);
-  return codec == nullptr ? std::vector<std::uint8_t>() : codec->encode(format.extension, pixels, error);
+  if (codec == nullptr) return error;
+  const std::vector<std::uint8_t> bytes = codec->encode(format.extension, pixels, error);
+  if (error.empty()) put(bytes);
+  return error;
 }
 
-std::string write(const std::string& path, const Format& format, const ImageCodec::Pixels& pixels) {
-  if (pixels.width <= 0 || pixels.height <= 0) return refusal(path, "the picture has no pixels");
+template <class Make>
+std::string write(const std::string& path, int width, int height, const Make& make) {
+  if (width <= 0 || height <= 0) return refusal(path, "the picture has no pixels");
   std::error_code ignored;
   // A link stays a link: the file it points to is made or replaced.
   const fs::path target = link_target(path);
@@ -112,14 +125,12 @@ std::string write(const std::string& path, const Format& format, const ImageCode
   // Renaming cannot replace a target that exists and is no plain file, such as /dev/null.
   const bool in_place = fs::exists(status) && !fs::is_regular_file(status);
   std::string error;
-  const std::vector<std::uint8_t> bytes = encode(format, pixels, error);
-  if (!error.empty()) return refusal(path, error);
   if (in_place) {
-    error = write_file(target, bytes, false);
+    error = write_file(target, false, make);
     return error.empty() ? "" : refusal(path, error);
   }
   const fs::path temporary = temporary_beside(target);
-  error = write_file(temporary, bytes, true);
+  error = write_file(temporary, true, make);
   if (error.empty()) {
     std::error_code failed;
     fs::rename(temporary, target, failed);
@@ -181,11 +192,22 @@ bool holds_light(const std::string& path, std::string_view format) {
 }
 
 std::string write_picture(const std::string& path, const Picture& picture, std::string_view format) {
+  return write_picture(path, rows_of(picture), format);
+}
+
+std::string write_picture(const std::string& path, const PictureRows& picture, std::string_view format) {
   return guarded(path, [&] {
     const Format* const found = find_format(path, format);
     if (found == nullptr) return unknown_format(path);
     if (found->light) return refusal(path, "that format holds light, not 8-bit values");
-    return write(path, *found, {picture.width, picture.height, false, picture.rgb.data()});
+    return write(path, picture.width, picture.height, [&](const PutBytes& put) -> std::string {
+      if (found->make == nullptr) {
+        const std::vector<std::uint8_t> rgb = whole(picture);
+        return make_by_module(*found, {picture.width, picture.height, false, rgb.data()}, put);
+      }
+      found->make(picture, put);
+      return {};
+    });
   });
 }
 
@@ -195,12 +217,14 @@ std::string write_light(const std::string& path, int width, int height, std::spa
     const Format* const found = find_format(path, format);
     if (found == nullptr) return unknown_format(path);
     if (!found->light) return refusal(path, "that format holds 8-bit values, not light");
-    return write(path, *found, {width, height, true, light.data()});
+    return write(path, width, height, [&](const PutBytes& put) {
+      return make_by_module(*found, {width, height, true, light.data()}, put);
+    });
   });
 }
 
 std::string write_png(const std::string& path, int width, int height, std::span<const std::uint8_t> rgb) {
-  return guarded(path, [&] { return write(path, kFormats.front(), {width, height, false, rgb.data()}); });
+  return write_picture(path, rows_of(width, height, rgb), "png");
 }
 
 Raster read_raster(const std::string& path, std::string& error, Palette palette) {

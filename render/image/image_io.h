@@ -1,6 +1,7 @@
 #pragma once
 
 #include "render/image/picture.h"
+#include "render/image/picture_rows.h"
 #include "render/image/raster.h"
 
 #include <cstdint>
@@ -18,6 +19,8 @@ namespace firstlight::render {
 /// Whether files of that kind hold linear light (write_light) instead of 8-bit values (write_picture).
 bool holds_light(const std::string& path, std::string_view format = {});
 std::string write_picture(const std::string& path, const Picture& picture, std::string_view format = {});
+/// The same, and neither the picture nor the file is in memory as a whole where the format allows that: png, tga, ppm.
+std::string write_picture(const std::string& path, const PictureRows& picture, std::string_view format = {});
 /// `light` holds red green blue of each pixel, rows from the top. Pre: 3 * width * height numbers.
 std::string write_light(const std::string& path, int width, int height, std::span<const float> light,
                         std::string_view format = {});

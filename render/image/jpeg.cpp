@@ -76,20 +76,22 @@ Raster read_jpeg(FileBytes file) {
   return raster;
 }
 
-std::vector<std::uint8_t> make_jpeg(int width, int height, const std::uint8_t* rgb) {
+void make_jpeg(const PictureRows& picture, const PutBytes& put) {
+  const std::vector<std::uint8_t> rgb = whole(picture);
   const Handle handle(tjInitCompress());
   if (!handle) throw std::bad_alloc();
   unsigned char* data = nullptr;
   unsigned long size = 0;
-  const int failed = tjCompress2(handle.get(), rgb, width, 0, height, TJPF_RGB, &data, &size, TJSAMP_420, kQuality,
-                                 TJFLAG_ACCURATEDCT);
+  const int failed = tjCompress2(handle.get(), rgb.data(), picture.width, 0, picture.height, TJPF_RGB, &data, &size,
+                                 TJSAMP_420, kQuality, TJFLAG_ACCURATEDCT);
   const std::unique_ptr<unsigned char, Destroy> owner(data);
   if (failed != 0) fail(handle);
   // It begins with its mark and the JFIF segment, of 2 and 18 bytes; what says more comes then.
-  constexpr std::ptrdiff_t kStart = 20;
-  std::vector<std::uint8_t> bytes(data, data + size);
-  bytes.insert(bytes.begin() + kStart, kSaysSrgb.begin(), kSaysSrgb.end());
-  return bytes;
+  constexpr std::size_t kStart = 20;
+  const FileBytes bytes(data, size);
+  put(bytes.first(kStart));
+  put(kSaysSrgb);
+  put(bytes.subspan(kStart));
 }
 
 }  // namespace firstlight::render

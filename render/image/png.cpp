@@ -44,15 +44,21 @@ struct Reading : Failure {
 };
 
 struct Writing : Failure {
-  Writing() : png(png_create_write_struct(PNG_LIBPNG_VER_STRING, static_cast<Failure*>(this), on_error, on_warning)) {
+  Writing(const PictureRows& rows, const PutBytes& to)
+      : picture(rows),
+        put(to),
+        png(png_create_write_struct(PNG_LIBPNG_VER_STRING, static_cast<Failure*>(this), on_error, on_warning)),
+        row(rows.row_bytes()) {
     if (png != nullptr) info = png_create_info_struct(png);
   }
   Writing(const Writing&) = delete;
   ~Writing() { png_destroy_write_struct(&png, &info); }
 
+  const PictureRows& picture;
+  const PutBytes& put;
   png_structp png;
   png_infop info = nullptr;
-  std::vector<std::uint8_t> bytes;
+  std::vector<std::uint8_t> row;
 };
 
 void take(png_structp png, png_bytep to, png_size_t count) {
@@ -63,8 +69,7 @@ void take(png_structp png, png_bytep to, png_size_t count) {
 }
 
 void put(png_structp png, png_bytep from, png_size_t count) {
-  std::vector<std::uint8_t>& bytes = static_cast<Writing*>(png_get_io_ptr(png))->bytes;
-  bytes.insert(bytes.end(), from, from + count);
+  static_cast<Writing*>(png_get_io_ptr(png))->put({from, count});
 }
 
 /// Runs steps that have nothing to destroy; false when libpng failed in them.
@@ -141,14 +146,17 @@ void prepare_rows(Reading& r, std::size_t file_size) {
   for (int y = 0; y < raster.height; ++y) r.rows.push_back(first + stride * static_cast<std::size_t>(y));
 }
 
-void write_all(Writing& w, int width, int height, const std::uint8_t* rgb) {
+void write_all(Writing& w) {
+  const int width = w.picture.width;
+  const int height = w.picture.height;
   png_set_write_fn(w.png, &w, put, nullptr);
   png_set_IHDR(w.png, w.info, static_cast<png_uint_32>(width), static_cast<png_uint_32>(height), 8, PNG_COLOR_TYPE_RGB,
                PNG_INTERLACE_NONE, PNG_COMPRESSION_TYPE_DEFAULT, PNG_FILTER_TYPE_DEFAULT);
   png_set_sRGB_gAMA_and_cHRM(w.png, w.info, PNG_sRGB_INTENT_ABSOLUTE);
   png_write_info(w.png, w.info);
   for (int y = 0; y < height; ++y) {
-    png_write_row(w.png, rgb + 3 * static_cast<std::size_t>(width) * static_cast<std::size_t>(y));
+    w.picture.make(y, w.row);
+    png_write_row(w.png, w.row.data());
   }
   png_write_end(w.png, nullptr);
 }
@@ -178,11 +186,10 @@ Raster read_png(FileBytes file) {
   return std::move(r.raster);
 }
 
-std::vector<std::uint8_t> make_png(int width, int height, const std::uint8_t* rgb) {
-  Writing w;
+void make_png(const PictureRows& picture, const PutBytes& put) {
+  Writing w(picture, put);
   if (w.info == nullptr) throw std::bad_alloc();
-  if (!guarded(w.png, [&] { write_all(w, width, height, rgb); })) throw BrokenPicture(w.why);
-  return std::move(w.bytes);
+  if (!guarded(w.png, [&] { write_all(w); })) throw BrokenPicture(w.why);
 }
 
 }  // namespace firstlight::render

@@ -134,11 +134,14 @@ Raster read_pnm(FileBytes file) {
   return raster;
 }
 
-std::vector<std::uint8_t> make_ppm(int width, int height, const std::uint8_t* rgb) {
-  const std::string header = fmt::format("P6\n{} {}\n255\n", width, height);
-  std::vector<std::uint8_t> bytes(header.begin(), header.end());
-  bytes.insert(bytes.end(), rgb, rgb + 3 * static_cast<std::size_t>(width) * static_cast<std::size_t>(height));
-  return bytes;
+void make_ppm(const PictureRows& picture, const PutBytes& put) {
+  const std::string header = fmt::format("P6\n{} {}\n255\n", picture.width, picture.height);
+  put(std::vector<std::uint8_t>(header.begin(), header.end()));
+  std::vector<std::uint8_t> row(picture.row_bytes());
+  for (int y = 0; y < picture.height; ++y) {
+    picture.make(y, row);
+    put(row);
+  }
 }
 
 }  // namespace firstlight::render

@@ -6,6 +6,8 @@
 #include <array>
 #include <cstring>
 #include <string_view>
+#include <utility>
+#include <vector>
 
 namespace firstlight::render {
 namespace {
@@ -203,25 +205,27 @@ Raster read_tga(FileBytes file) {
   return raster;
 }
 
-std::vector<std::uint8_t> make_tga(int width, int height, const std::uint8_t* rgb) {
+void make_tga(const PictureRows& picture, const PutBytes& put) {
+  const int width = picture.width;
+  const int height = picture.height;
   if (std::max(width, height) > 65535) throw BrokenPicture("a TGA file has at most 65535 pixels each way");
-  constexpr std::size_t kFooterSize = 8 + kSignature.size();  // two offsets, of nothing, and the signature
-  const std::size_t row = 3 * static_cast<std::size_t>(width);
   std::vector<std::uint8_t> bytes(kHeaderSize);
-  bytes.reserve(kHeaderSize + row * static_cast<std::size_t>(height) + kFooterSize);
   bytes[2] = static_cast<std::uint8_t>(Kind::color);
   bytes[12] = static_cast<std::uint8_t>(width & 255);
   bytes[13] = static_cast<std::uint8_t>(width >> 8);
   bytes[14] = static_cast<std::uint8_t>(height & 255);
   bytes[15] = static_cast<std::uint8_t>(height >> 8);
   bytes[16] = 24;
+  put(bytes);
+  bytes.resize(picture.row_bytes());
   for (int y = height - 1; y >= 0; --y) {  // rows from the bottom
-    const std::uint8_t* const from = rgb + row * static_cast<std::size_t>(y);
-    for (std::size_t x = 0; x < row; x += 3) bytes.insert(bytes.end(), {from[x + 2], from[x + 1], from[x]});
+    picture.make(y, bytes);
+    for (std::size_t x = 0; x < bytes.size(); x += 3) std::swap(bytes[x], bytes[x + 2]);
+    put(bytes);
   }
-  bytes.resize(bytes.size() + 8);
+  bytes.assign(8, 0);  // two offsets, of nothing
   bytes.insert(bytes.end(), kSignature.begin(), kSignature.end());
-  return bytes;
+  put(bytes);
 }
 
 }  // namespace firstlight::render

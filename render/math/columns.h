@@ -22,6 +22,18 @@ struct alignas(64) Column {
 };
 
 template <class T>
+struct Columns2 {
+  std::array<Column<T>, 2> of;
+
+  template <class Vector>
+  void set(std::size_t i, const Vector& v) {
+    of[0][i] = v.x;
+    of[1][i] = v.y;
+  }
+  Imath::Vec2<T> vector(std::size_t i) const { return {of[0][i], of[1][i]}; }
+};
+
+template <class T>
 struct Columns3 {
   std::array<Column<T>, 3> of;
 

@@ -235,16 +235,20 @@ struct Blob {
     return sum == Vec3(0.0) ? Vec3(1.0, 0.0, 0.0) : sum.normalized();
   }
   /// Each element's has the share that its field has of all.
-  void textures(const Vec3& point, const Crossing&, std::vector<TextureShare>& out) const {
-    const std::size_t first = out.size();
-    double sum = 0.0;
-    for_each_around(point, [&](const Element& element) {
-      const double weight = std::abs(element.field(point));
-      if (!(weight > 0.0)) return;
-      out.push_back({element.texture, weight});
-      sum += weight;
-    });
-    for (std::size_t i = first; i < out.size(); ++i) out[i].weight /= sum;
+  void textures(const SurfacePlaces& places, std::size_t first, std::size_t end,
+                std::vector<TextureShare>& out) const {
+    for (std::size_t place = first; place < end; ++place) {
+      const Vec3 point = places.point.vector(place);
+      const std::size_t begin = out.size();
+      double sum = 0.0;
+      for_each_around(point, [&](const Element& element) {
+        const double weight = std::abs(element.field(point));
+        if (!(weight > 0.0)) return;
+        out.push_back({static_cast<std::uint32_t>(place), element.texture, weight});
+        sum += weight;
+      });
+      for (std::size_t i = begin; i < out.size(); ++i) out[i].weight /= sum;
+    }
   }
   Box3 bounds() const { return threshold > 0.0 ? positive : all; }
   Box3 given_bounds() const { return positive; }

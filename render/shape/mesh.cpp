@@ -71,16 +71,19 @@ class Faces {
     return uv;
   }
 
-  void textures(const Vec3& point, std::uint32_t index, std::vector<TextureShare>& out) const {
-    const Corners* corners = parameters_.face_textures.empty() ? nullptr : &parameters_.face_textures[index];
-    if (corners == nullptr || *corners == MeshParameters::kNoCorners) {
-      out.push_back({kObjectTexture, 1.0});
-    } else if ((*corners)[0] == (*corners)[1] && (*corners)[0] == (*corners)[2]) {
-      out.push_back({(*corners)[0], 1.0});
+  bool has_textures() const { return !parameters_.face_textures.empty(); }
+  /// At `place` of some places. `point()` is asked where the corners have different textures. Pre: has_textures().
+  template <class Point>
+  void textures(std::uint32_t place, const Point& point, std::uint32_t index, std::vector<TextureShare>& out) const {
+    const Corners& corners = parameters_.face_textures[index];
+    if (corners == MeshParameters::kNoCorners) {
+      out.push_back({place, kObjectTexture, 1.0});
+    } else if (corners[0] == corners[1] && corners[0] == corners[2]) {
+      out.push_back({place, corners[0], 1.0});
     } else {
-      const std::array<double, 3> weights = barycentric(point, parameters_.faces[index]);
+      const std::array<double, 3> weights = barycentric(point(), parameters_.faces[index]);
       const double sum = weights[0] + weights[1] + weights[2];
-      for (std::size_t i = 0; i < 3; ++i) out.push_back({(*corners)[i], weights[i] / sum});
+      for (std::size_t i = 0; i < 3; ++i) out.push_back({place, corners[i], weights[i] / sum});
     }
   }
 
@@ -212,11 +215,22 @@ class Mesh final : public Shape {
     const Vec3 n = transform_.normal(own).normalized();
     return inverted_ ? -n : n;
   }
+  void normals(const SurfacePlaces& places, std::size_t first, std::size_t end, Columns3<double>& out) const override {
+    for (std::size_t i = first; i < end; ++i) out.set(i, Mesh::normal(places.point.vector(i), *places.crossing[i]));
+  }
   Vec2 uv(const Vec3& point, const Crossing& crossing) const override {
     return faces_->uv(transform_.inverse_point(point), crossing.face);
   }
-  void textures(const Vec3& point, const Crossing& crossing, std::vector<TextureShare>& out) const override {
-    faces_->textures(transform_.inverse_point(point), crossing.face, out);
+  void uvs(const SurfacePlaces& places, std::size_t first, std::size_t end, Columns2<double>& out) const override {
+    for (std::size_t i = first; i < end; ++i) out.set(i, Mesh::uv(places.point.vector(i), *places.crossing[i]));
+  }
+  void textures(const SurfacePlaces& places, std::size_t first, std::size_t end,
+                std::vector<TextureShare>& out) const override {
+    if (!faces_->has_textures()) return Shape::textures(places, first, end, out);
+    for (std::size_t i = first; i < end; ++i) {
+      const auto point = [&] { return transform_.inverse_point(places.point.vector(i)); };
+      faces_->textures(static_cast<std::uint32_t>(i), point, places.crossing[i]->face, out);
+    }
   }
   Box3 bounds() const override { return transform_.box(faces_->bounds()); }
   Box3 inside_bounds() const override {

@@ -54,7 +54,7 @@ struct UnitRay {
 ///     bool inside(const Vec3& point, bool inverted) const;
 ///     Vec3 normal(const Vec3& point, const Crossing& at) const;      outward, of any length
 ///     Vec2 uv(const Vec3& point, const Crossing& at) const;          may be left out: x and y of the point in space
-///     void textures(const Vec3& point, const Crossing& at, std::vector<TextureShare>& out) const;   may be left out
+///     void textures(places, first, end, out) const;                  may be left out; as Shape's
 ///     Box3 bounds() const;
 ///     Box3 inside_bounds() const;
 ///     Box3 given_bounds() const;                                     may be left out: as bounds()
@@ -92,11 +92,20 @@ class Placed final : public Shape {
       return Shape::uv(point, crossing);
     }
   }
-  void textures(const Vec3& point, const Crossing& crossing, std::vector<TextureShare>& out) const override {
-    if constexpr (requires { local().textures(point, crossing, out); }) {
-      local().textures(transform_.inverse_point(point), crossing, out);
+  void uvs(const SurfacePlaces& places, std::size_t first, std::size_t end, Columns2<double>& out) const override {
+    for (std::size_t i = first; i < end; ++i) out.set(i, Placed::uv(places.point.vector(i), *places.crossing[i]));
+  }
+  void textures(const SurfacePlaces& places, std::size_t first, std::size_t end,
+                std::vector<TextureShare>& out) const override {
+    if constexpr (requires { local().textures(places, first, end, out); }) {
+      SurfacePlaces own;
+      for (std::size_t i = first; i < end; ++i) {
+        own.point.set(i, transform_.inverse_point(places.point.vector(i)));
+        own.crossing[i] = places.crossing[i];
+      }
+      local().textures(own, first, end, out);
     } else {
-      Shape::textures(point, crossing, out);
+      Shape::textures(places, first, end, out);
     }
   }
   Box3 bounds() const override { return transform_.box(local().bounds()); }

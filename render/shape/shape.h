@@ -30,8 +30,9 @@ struct SurfacePlaces {
   std::array<const Crossing*, kRaysAtOnce> crossing;
 };
 
-/// A texture that a shape shows, and its share of how the shape looks at a point.
+/// A texture that a shape shows at one of some places, and its share of how the shape looks there.
 struct TextureShare {
+  std::uint32_t place = 0;
   std::uint32_t texture = 0;  ///< in the shape's own list; kObjectTexture: the object's
   double weight = 1.0;
 };
@@ -64,9 +65,15 @@ class Shape {
   /// Coordinates of the surface's own at a crossing, by which textures may go (uv_mapping). A shape that has none gives
   /// x and y of the point, as POV-Ray does.
   virtual Vec2 uv(const Vec3& point, const Crossing&) const { return Vec2(point.x, point.y); }
-  /// Appends the textures that are seen at a crossing, of a shape that has a list of its own. Their weights add up to 1.
-  virtual void textures(const Vec3&, const Crossing&, std::vector<TextureShare>& out) const {
-    out.push_back({kObjectTexture, 1.0});
+  /// The same at the points `first` to `end`.
+  virtual void uvs(const SurfacePlaces& places, std::size_t first, std::size_t end, Columns2<double>& out) const {
+    for (std::size_t i = first; i < end; ++i) out.set(i, uv(places.point.vector(i), *places.crossing[i]));
+  }
+  /// Appends the textures that are seen at the crossings `first` to `end`, place by place, of a shape that has a list of
+  /// its own. At each place their weights add up to 1.
+  virtual void textures(const SurfacePlaces&, std::size_t first, std::size_t end,
+                        std::vector<TextureShare>& out) const {
+    for (std::size_t i = first; i < end; ++i) out.push_back({static_cast<std::uint32_t>(i), kObjectTexture, 1.0});
   }
   /// World box of the surface; infinite when the shape is unbounded.
   virtual Box3 bounds() const = 0;

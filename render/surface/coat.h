@@ -27,6 +27,7 @@ struct Coat {
   bool is_even = true;     ///< looks the same everywhere, and tilts no normals
   bool is_settled = true;  ///< even, and no layer's reflection leaves the next one light by the angle of sight
   bool is_glossy = false;
+  bool is_opaque = false;    ///< no light passes it anywhere
   SettledCoat settled = {};  ///< of settled ones
 };
 

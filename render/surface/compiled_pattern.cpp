@@ -57,14 +57,13 @@ void pick(const SurfacePoints& points, const Columns3<double>& at, std::uint64_t
     picked.normal.set(k, points.normal.vector(i));
     picked.tilted.set(k, points.tilted.vector(i));
     picked.direction.set(k, points.direction.vector(i));
-    picked.u[k] = points.u[i];
-    picked.v[k] = points.v[i];
+    picked.uv.set(k, points.uv.vector(i));
   }
 }
 
 void to_own_coordinates(const SurfacePoints& points, SurfacePoints& there) {
   Columns3<double> at;
-  for (std::size_t i = 0; i < points.size; ++i) at.set(i, Vec3(points.u[i], points.v[i], 0.0));
+  for (std::size_t i = 0; i < points.size; ++i) at.set(i, Vec3(points.uv.of[0][i], points.uv.of[1][i], 0.0));
   pick(points, at, points.all(), there);
 }
 

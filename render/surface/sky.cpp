@@ -50,8 +50,7 @@ void Sky::colors(const Columns3<double>& directions, std::size_t count, Columns3
   points->on_surface = false;
   for (std::size_t i = 0; i < count; ++i) {
     points->at.set(i, sphere_->placement.inverse_point(directions.vector(i)));
-    points->u[i] = 0.0;
-    points->v[i] = 0.0;
+    points->uv.set(i, Vec2(0.0));
   }
   std::array<Above, kRaysAtOnce> above{};
   for (std::size_t i = 0; i < count; ++i) colors.set(i, Rgb(0.0f));

@@ -83,6 +83,7 @@ std::uint32_t SurfaceTable::compile(const Texture& texture) {
     Coat& coat = coats_.emplace_back();
     coat.first = layers_.size();
     coat.count = texture.layers.size();
+    coat.is_opaque = is_opaque(texture);
     for (const TextureLayer& layer : texture.layers) {
       const SurfaceLayer& surface = layers_.emplace_back(prepared(layer));
       coat.is_even = coat.is_even && surface.is_plain && surface.normal == nullptr;

@@ -89,7 +89,7 @@ class SurfaceTable {
   const Coat* settled_coat(std::uint32_t texture) const { return settled_[texture]; }
   /// Whether a part of the scene may have highlights, as far as its outer texture tells.
   bool is_glossy(std::uint32_t part) const { return glossy_[part] != 0; }
-  /// Whether it asks for the surface's own coordinates: SurfacePoints::u and v.
+  /// Whether it asks for the surface's own coordinates: SurfacePoints::uv.
   bool goes_by_uv(std::uint32_t texture) const { return nodes_[roots_[texture]].by_uv; }
   /// Whether it asks for more of the surface than the point alone: SurfacePoints::on_surface.
   bool goes_by_surface(std::uint32_t texture) const { return nodes_[roots_[texture]].by_surface; }
@@ -105,6 +105,13 @@ class SurfaceTable {
   void unfold(std::uint32_t texture, const SurfacePoints& points, CoatList& coats) const;
   /// Finds the layer's look at the coat's points. Leaves its normals in points.tilted.
   void look(const SurfaceLayer& layer, CoatPoints& points, LayerLook& look) const;
+  /// Multiplies light by what passes the texture, if that is the same everywhere; else returns false.
+  bool filter_evenly(std::uint32_t texture, Rgb& light) const {
+    const Coat* const coat = even_coat(texture);
+    if (coat == nullptr) return false;
+    for (const SurfaceLayer& layer : layers(*coat)) light *= layer.color.passed;
+    return true;
+  }
   /// Multiplies light[i] by what passes the texture at point i, given in the scene. `caustics`: of the interior; not 0:
   /// light is gathered where it falls steeply, so that more may pass than came. Pre: then the points are on the surface.
   /// `scratch`: what it holds is lost.

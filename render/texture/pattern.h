@@ -19,8 +19,7 @@ struct SurfacePoints {
   Columns3<double> normal;     ///< of the bare surface, unit, towards the ray's origin, in the scene
   Columns3<double> tilted;     ///< the same after the normals that were asked last
   Columns3<double> direction;  ///< of the ray, unit, in the scene
-  Column<double> u;            ///< of the surface's own coordinates
-  Column<double> v;
+  Columns2<double> uv;         ///< the surface's own coordinates
 
   /// A bit for each point.
   std::uint64_t all() const { return size == 0 ? 0 : ~std::uint64_t{0} >> (kRaysAtOnce - size); }

@@ -4,6 +4,7 @@
 #include "render/accel/ray_block.h"
 #include "render/light/arrival.h"
 #include "render/light/light.h"
+#include "render/shape/shape.h"
 #include "render/trace/ray_task.h"
 
 #include <algorithm>
@@ -45,10 +46,9 @@ struct LayerColumns {
 };
 
 /// Hits side by side, to be lit together. Plain data.
-struct HitBlock {
+struct HitBlock : SurfacePlaces {
   std::size_t size = 0;
   std::size_t capacity = 0;  ///< hits there may be
-  Columns3<double> point;
   Columns3<double> direction;  ///< of the rays
   Columns3<double> normal;     ///< unit, towards the rays' origins
   Column<double> lit_from;     ///< the least cosine to the normal under which a light shines on the front

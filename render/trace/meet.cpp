@@ -3,6 +3,7 @@
 #include "render/lanes/math.h"
 #include "render/trace/film_thickness.h"
 #include "render/trace/local_light.h"
+#include "render/trace/shape_runs.h"
 #include "render/trace/step.h"
 #include "render/trace/worn_textures.h"
 
@@ -121,59 +122,72 @@ inline void Stepper::wear(std::size_t hit, std::uint32_t texture, double share) 
 }
 
 void Stepper::find_normals(std::span<const std::uint8_t> rays) {
-  SurfacePlaces& places = *places_;
-  for (std::size_t k = 0; k < rays.size(); ++k) {
-    const std::size_t i = rays[k];
+  HitBlock& block = *block_;
+  std::size_t place = block.size;
+  std::uint64_t places = 0;
+  for (const std::size_t i : rays) {
     const Ray ray{rays_->origin.vector(i), rays_->direction.vector(i)};
-    places.point.set(k, ray.at(hits_[i].depth));
-    places.crossing[k] = &hits_[i];
+    block.point.set(place, ray.at(hits_[i].depth));
+    block.crossing[place] = &hits_[i];
+    places |= std::uint64_t{1} << place++;
   }
-  for (std::size_t first = 0; first < rays.size();) {
-    const Shape* shape = places.crossing[first]->shape;
-    std::size_t end = first + 1;
-    while (end < rays.size() && places.crossing[end]->shape == shape) ++end;
-    shape->normals(places, first, end, normals_);
-    first = end;
-  }
+  for_each_run(block, places, [&](const Shape& shape, std::size_t first, std::size_t end) {
+    shape.normals(block, first, end, block.normal);
+  });
 }
 
 void Stepper::meet(std::size_t place, std::size_t number, const RayTask& task, const Rgb& weight, Contribution& sum) {
-  const Hit& hit = hits_[number];
-  const Part& part = context_.scene.parts[hit.part];
-  const Vec3 point = places_->point.vector(place);
+  HitBlock& block = *block_;
+  const Part& part = context_.scene.parts[hits_[number].part];
   const Vec3 direction = rays_->direction.vector(number);
-  Vec3 normal = normals_.vector(place);
+  const Vec3 normal = block.normal.vector(place);
   const bool from_inside = normal.dot(direction) > 0.0;
-  if (from_inside) normal = -normal;
-  if (part.texture == kNoIndex && !part.has_shape_textures && !(from_inside && part.interior_texture != kNoIndex))
-    return;
+  const bool has_own = shows_own_textures(part, from_inside);
+  const std::uint32_t texture = has_own ? kNoIndex : only_texture(part, from_inside);
+  if (texture == kNoIndex && !has_own) return;
 
   const bool continued = (task.flags & RayTask::kContinued) != 0;
-  HitBlock& block = *block_;
   const std::size_t i = block.size++;
-  block.point.set(i, point);
+  if (i != place) {
+    block.point.set(i, block.point.vector(place));
+    block.crossing[i] = block.crossing[place];
+  }
   block.direction.set(i, direction);
-  block.normal.set(i, normal);
+  block.normal.set(i, from_inside ? -normal : normal);
   block.lit_from[i] = part.double_illuminate ? -2.0 : kNegligible;
   block.lit_from_behind |= part.double_illuminate;
   Surface& surface = surfaces_[i];
   surface.task = &task;
   surface.part = &part;
   surface.sum = &sum;
-  surface.hit = &hit;
   surface.weight = weight;
   surface.level = task.level + (continued ? 0 : 1);
   surface.layer_count = 0;
   surface.own_light = Rgb(0.0f);
   surface.open_record = kNoRecord;
-  for_each_texture(context_.scene, point, hit, from_inside, worn_,
-                   [&](std::uint32_t texture, double share) { wear(i, texture, share); });
+  if (has_own) {
+    own_textures_ |= std::uint64_t{1} << i;
+  } else {
+    wear(i, texture, 1.0);
+  }
+}
+
+void Stepper::wear_own_textures() {
+  for_each_own_texture(context_.scene, *block_, own_textures_, worn_,
+                       [&](std::size_t hit, std::uint32_t texture, double share) { wear(hit, texture, share); });
 }
 
 // In the order of textures' numbers, and each with its coats in the order of its maps, so that what is added up for a hit
 // does not depend on the other hits of the block.
 void Stepper::meet_uneven() {
   std::ranges::stable_sort(uneven_, {}, &Uneven::texture);
+  std::uint64_t by_uv = 0;
+  for (const Uneven& uneven : uneven_) {
+    const bool asks = table_->goes_by_uv(uneven.texture) || surfaces_[uneven.hit].part->uv_mapping;
+    by_uv |= static_cast<std::uint64_t>(asks) << uneven.hit;
+  }
+  for_each_run(*block_, by_uv,
+               [&](const Shape& shape, std::size_t first, std::size_t end) { shape.uvs(*block_, first, end, uvs_); });
   for (std::size_t first = 0; first < uneven_.size();) {
     const std::uint32_t texture = uneven_[first].texture;
     std::size_t end = first;
@@ -211,15 +225,13 @@ void Stepper::ask_uneven(std::uint32_t texture, std::span<const Uneven> hits) {
       points.normal.set(k, normal);
       points.tilted.set(k, normal);
       points.direction.set(k, block.direction.vector(hit));
-      points.u[k] = 0.0;
-      points.v[k] = 0.0;
+      points.uv.set(k, Vec2(0.0));
     }
-    const Surface& surface = surfaces_[hit];
-    if (!asks_uv && !surface.part->uv_mapping) continue;
-    const Vec2 uv = surface.hit->shape->uv(point, *surface.hit);
-    points.u[k] = uv.x;
-    points.v[k] = uv.y;
-    if (surface.part->uv_mapping) points.at.set(k, Vec3(uv.x, uv.y, 0.0));
+    const bool uv_mapping = surfaces_[hit].part->uv_mapping;
+    if (!asks_uv && !uv_mapping) continue;
+    const Vec2 uv = uvs_.vector(hit);
+    points.uv.set(k, uv);
+    if (uv_mapping) points.at.set(k, Vec3(uv.x, uv.y, 0.0));
   }
 }
 

@@ -113,8 +113,7 @@ void PrimaryRays::tilt(std::size_t count, CameraRays& rays) const {
     points->normal.set(i, direction);
     points->tilted.set(i, direction);
     points->direction.set(i, direction);
-    points->u[i] = 0.0;
-    points->v[i] = 0.0;
+    points->uv.set(i, Vec2(0.0));
   }
   normal_->tilt(*points, nullptr, rays.direction);
 }

@@ -256,7 +256,7 @@ bool Stepper::spawn_transmission(const Coating& coating) {
 
   Rgb passed = Rgb(static_cast<float>(interior.refraction_scale));
   if (std::abs(interior.fade_distance) > kNegligible && context_.media.contains(around, own)) {
-    passed *= faded_light(interior, surface.hit->depth);
+    passed *= faded_light(interior, block_->crossing[hit]->depth);
   }
   const Rgb weight = coating.weight * passed;
   const bool disperses = std::abs(passage.dispersion - 1.0) >= kNegligible;

@@ -2,11 +2,14 @@
 
 #include "render/math/interrupt.h"
 #include "render/trace/fade.h"
+#include "render/trace/shape_runs.h"
 #include "render/trace/worn_textures.h"
 
 #include <algorithm>
 #include <bit>
 #include <cmath>
+#include <numeric>
+#include <tuple>
 
 namespace firstlight::render {
 namespace {
@@ -22,7 +25,8 @@ Shadow::Shadow(const TraceContext& context, const SurfaceTable& surfaces, const 
       veils_(veils),
       takes_parts_(std::ranges::any_of(context.scene.parts, [](const Part& part) { return !part.opaque; }) ||
                    std::ranges::any_of(context.scene.lights, [&](const Light& light) { return veils.weaken(light); })),
-      asked_(std::make_unique<SurfacePoints>()),
+      met_(std::make_unique_for_overwrite<SurfacePlaces>()),
+      asked_(std::make_unique_for_overwrite<SurfacePoints>()),
       block_(std::make_unique<RayBlock>()) {}
 
 bool Shadow::end_at_window(const Light& light, const Ray& ray, double& max_depth) {
@@ -76,6 +80,7 @@ void Shadow::pass_surfaces(const RayBlock& rays, std::uint64_t open, std::span<c
     });
     context_.accel.closest(block, hits_);
     const Hit* hit = hits_.data();
+    std::size_t met = 0;
     keep_ways([&](Way& way) {
       const Hit& next = *hit++;
       if (next.part == kNoIndex) {
@@ -86,9 +91,11 @@ void Shadow::pass_surfaces(const RayBlock& rays, std::uint64_t open, std::span<c
         shares[way.number] = Rgb(0.0f);  // was nearer than the gap to the origin before the ray moved on
         return false;
       }
-      pass(next, way);
+      met_->point.set(met, way.ray.at(next.depth));
+      met_->crossing[met++] = &next;
       return true;
     });
+    pass();
   }
 }
 
@@ -112,57 +119,158 @@ Rgb Shadow::arriving(Way& way) const {
   return way.passed;
 }
 
-void Shadow::pass(const Hit& hit, Way& way) {
+void Shadow::pass() {
   MediumTable& media = context_.media;
-  const std::uint32_t own = context_.scene.parts[hit.part].interior;
-  const bool is_inside = media.contains(way.medium, own);
-  const Vec3 point = way.ray.at(hit.depth);
-  if (filter_light(hit, way.ray, way.passed)) {
-    const Interior& interior = context_.scene.interiors[own];
-    if (interior.fade_power > 0.0 && std::abs(interior.fade_distance) > kNegligible && is_inside) {
-      way.passed *= faded_light(interior, hit.depth);
+  const std::uint64_t filtered = filter_light();
+  for (std::size_t i = 0; i < ways_.size(); ++i) {
+    Way& way = ways_[i];
+    const double depth = met_->crossing[i]->depth;
+    const std::uint32_t own = part_at(i).interior;
+    const bool is_inside = media.contains(way.medium, own);
+    if ((filtered >> i & 1u) != 0) {
+      const Interior& interior = context_.scene.interiors[own];
+      if (interior.fade_power > 0.0 && std::abs(interior.fade_distance) > kNegligible && is_inside) {
+        way.passed *= faded_light(interior, depth);
+      }
     }
+    pass_fog(way, depth);
+    way.medium = is_inside ? media.left(way.medium, own) : media.entered(way.medium, own);
+    way.distance -= depth;
+    way.ray.origin = met_->point.vector(i);
   }
-  pass_fog(way, hit.depth);
-  way.medium = is_inside ? media.left(way.medium, own) : media.entered(way.medium, own);
-  way.distance -= hit.depth;
-  way.ray.origin = point;
 }
 
-bool Shadow::filter_light(const Hit& hit, const Ray& ray, Rgb& light) {
-  const Part& part = context_.scene.parts[hit.part];
-  const Vec3 point = ray.at(hit.depth);
-  const bool from_inside =
-      part.interior_texture != kNoIndex && hit.shape->normal(point, hit).dot(ray.direction) > 0.0;
-  const double caustics = context_.scene.interiors[part.interior]->caustics;
-  bool found = part.has_shape_textures;
-  Rgb sum(0.0f);
-  for_each_texture(context_.scene, point, hit, from_inside, worn_, [&](std::uint32_t texture, double share) {
-    found = true;
-    ask_at(hit, point, ray, part.uv_mapping || caustics != 0.0 || surfaces_.goes_by_surface(texture));
-    if (part.uv_mapping) asked_->at.set(0, Vec3(asked_->u[0], asked_->v[0], 0.0));
-    if (!part.has_shape_textures) return surfaces_.filter(texture, *asked_, {&light, 1}, coats_, caustics);
-    Rgb tint(1.0f);
-    surfaces_.filter(texture, *asked_, {&tint, 1}, coats_, caustics);
-    sum += tint * static_cast<float>(share);
-  });
-  if (part.has_shape_textures) light *= sum;
+std::uint64_t Shadow::filter_light() {
+  const auto [done, shared] = find_filters();
+  std::uint64_t found = done | shared;
+  if (found == done && filters_.empty()) return found;
+  const auto key = [&](std::uint32_t number) {
+    const Filter& filter = filters_[number];
+    return std::tuple(filter.texture, filter.caustics, number);
+  };
+  std::ranges::sort(order_, {}, key);
+  for (std::size_t first = 0; first < order_.size();) {
+    const Filter& filter = filters_[order_[first]];
+    const auto is_alike = [&](std::uint32_t other) {
+      return filters_[other].texture == filter.texture && filters_[other].caustics == filter.caustics;
+    };
+    std::size_t end = first + 1;
+    while (end < order_.size() && end - first < kRaysAtOnce && is_alike(order_[end])) ++end;
+    ask_filters(std::span(order_).subspan(first, end - first));
+    first = end;
+  }
+
+  std::array<Rgb, kRaysAtOnce> sums;
+  if (shared != 0) sums.fill(Rgb(0.0f));
+  for (const Filter& filter : filters_) {
+    if ((shared >> filter.way & 1u) != 0) {
+      sums[filter.way] += filter.passed * static_cast<float>(filter.share);
+    } else {
+      ways_[filter.way].passed = filter.passed;
+      found |= std::uint64_t{1} << filter.way;
+    }
+  }
+  for (std::uint64_t bits = shared; bits != 0; bits &= bits - 1) {
+    const auto i = static_cast<std::size_t>(std::countr_zero(bits));
+    ways_[i].passed *= sums[i];
+  }
   return found;
 }
 
-void Shadow::ask_at(const Crossing& crossing, const Vec3& point, const Ray& ray, bool whole) {
-  asked_->size = 1;
-  asked_->at.set(0, point);
-  asked_->direction.set(0, ray.direction);
-  asked_->on_surface = whole;
-  if (!whole) return;
-  const Vec3 normal = crossing.shape->normal(point, crossing);
-  asked_->place.set(0, point);
-  asked_->normal.set(0, normal.dot(ray.direction) > 0.0 ? -normal : normal);
-  asked_->tilted.set(0, asked_->normal.vector(0));
-  const Vec2 uv = crossing.shape->uv(point, crossing);
-  asked_->u[0] = uv.x;
-  asked_->v[0] = uv.y;
+Shadow::Sides Shadow::find_filters() {
+  const auto find_normals = [&](std::uint64_t which) {
+    for_each_run(*met_, which, [&](const Shape& shape, std::size_t first, std::size_t end) {
+      shape.normals(*met_, first, end, normals_);
+    });
+  };
+  std::uint64_t has_two_sides = 0;
+  for (std::size_t i = 0; i < ways_.size(); ++i) {
+    if (part_at(i).interior_texture != kNoIndex) has_two_sides |= std::uint64_t{1} << i;
+  }
+  find_normals(has_two_sides);
+
+  filters_.clear();
+  order_.clear();
+  std::uint64_t by_surface = 0;
+  std::uint64_t by_uv = 0;
+  const auto add = [&](std::size_t i, std::uint32_t texture, double share, bool is_even, const Rgb& passed) {
+    const Part& part = part_at(i);
+    const double caustics = context_.scene.interiors[part.interior]->caustics;
+    filters_.push_back(Filter{texture, static_cast<std::uint8_t>(i), part.uv_mapping, share, caustics, passed});
+    if (is_even) return;
+    order_.push_back(static_cast<std::uint32_t>(filters_.size() - 1));
+    const auto bit = [i](bool is_set) { return static_cast<std::uint64_t>(is_set) << i; };
+    by_surface |= bit(caustics != 0.0 || surfaces_.goes_by_surface(texture));
+    by_uv |= bit(part.uv_mapping || surfaces_.goes_by_uv(texture));
+  };
+  const auto filter_evenly = [&](std::size_t i, std::uint32_t texture, Rgb& light) {
+    return context_.scene.interiors[part_at(i).interior]->caustics == 0.0 && surfaces_.filter_evenly(texture, light);
+  };
+  std::uint64_t has_own = 0;
+  Sides sides;
+  for (std::size_t i = 0; i < ways_.size(); ++i) {
+    const Part& part = part_at(i);
+    const std::uint64_t bit = std::uint64_t{1} << i;
+    if (part.has_shape_textures) sides.shared |= bit;
+    const bool from_inside = (has_two_sides & bit) != 0 && normals_.vector(i).dot(ways_[i].ray.direction) > 0.0;
+    if (shows_own_textures(part, from_inside)) {
+      has_own |= bit;
+      continue;
+    }
+    const std::uint32_t texture = only_texture(part, from_inside);
+    if (texture == kNoIndex) continue;
+    Rgb light = part.has_shape_textures ? Rgb(1.0f) : ways_[i].passed;
+    const bool is_even = filter_evenly(i, texture, light);
+    if (!is_even || part.has_shape_textures) {
+      add(i, texture, 1.0, is_even, light);
+    } else {
+      ways_[i].passed = light;
+      sides.done |= bit;
+    }
+  }
+  for_each_own_texture(context_.scene, *met_, has_own, worn_, [&](std::size_t i, std::uint32_t texture, double share) {
+    Rgb tint(1.0f);
+    const bool is_even = filter_evenly(i, texture, tint);
+    add(i, texture, share, is_even, tint);
+  });
+  find_normals(by_surface & ~has_two_sides);
+  for_each_run(*met_, by_uv,
+               [&](const Shape& shape, std::size_t first, std::size_t end) { shape.uvs(*met_, first, end, uvs_); });
+  return sides;
+}
+
+void Shadow::ask_filters(std::span<const std::uint32_t> numbers) {
+  const std::uint32_t texture = filters_[numbers.front()].texture;
+  const double caustics = filters_[numbers.front()].caustics;
+  SurfacePoints& points = *asked_;
+  points.size = numbers.size();
+  points.on_surface = caustics != 0.0 || surfaces_.goes_by_surface(texture);
+  const bool asks_uv = surfaces_.goes_by_uv(texture);
+  std::array<Rgb, kRaysAtOnce> light;
+  for (std::size_t k = 0; k < numbers.size(); ++k) {
+    const Filter& filter = filters_[numbers[k]];
+    const std::size_t i = filter.way;
+    const Vec3 point = met_->point.vector(i);
+    points.at.set(k, point);
+    if (points.on_surface) {
+      const Vec3& direction = ways_[i].ray.direction;
+      const Vec3 outward = normals_.vector(i);
+      const Vec3 normal = outward.dot(direction) > 0.0 ? -outward : outward;
+      points.place.set(k, point);
+      points.normal.set(k, normal);
+      points.tilted.set(k, normal);
+      points.direction.set(k, direction);
+      points.uv.set(k, Vec2(0.0));
+    }
+    if (asks_uv || filter.follows_uv) {
+      const Vec2 uv = uvs_.vector(i);
+      points.uv.set(k, uv);
+      if (filter.follows_uv) points.at.set(k, Vec3(uv.x, uv.y, 0.0));
+    }
+    light[k] = filter.passed;
+  }
+  surfaces_.filter(texture, points, std::span(light).first(numbers.size()), coats_, caustics);
+  for (std::size_t k = 0; k < numbers.size(); ++k) filters_[numbers[k]].passed = light[k];
 }
 
 }  // namespace firstlight::render

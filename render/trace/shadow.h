@@ -54,20 +54,43 @@ class Shadow {
   /// Leaves those of ways_ that `keep` says.
   template <class Keep>
   void keep_ways(const Keep& keep);
-  /// Takes the ray through the surface.
-  void pass(const Hit& hit, Way& way);
+  /// A texture that a way leads through.
+  struct Filter {
+    std::uint32_t texture;
+    std::uint8_t way;  ///< of ways_, and of met_
+    bool follows_uv;   ///< its part is mapped by the surface's own coordinates
+    double share;      ///< of how the surface looks there
+    double caustics;   ///< of the interior
+    Rgb passed;        ///< of the light that comes there; of white light where textures share the surface
+  };
+
+  /// Takes the rays of ways_ through the surfaces of met_.
+  void pass();
   void pass_fog(Way& way, double depth) const;
   /// The share that is left at the end of the way.
   Rgb arriving(Way& way) const;
-  /// Takes from `light` what the surface keeps. False where it has no texture.
-  bool filter_light(const Hit& hit, const Ray& ray, Rgb& light);
-  /// Sets asked_ to the point of a surface. `whole`: with all that may be asked of it.
-  void ask_at(const Crossing& crossing, const Vec3& point, const Ray& ray, bool whole);
+  /// Takes from the light of ways_ what the surfaces of met_ keep. Returns bits of those that have a texture.
+  std::uint64_t filter_light();
+  /// Bits of ways.
+  struct Sides {
+    std::uint64_t done = 0;    ///< through one texture that is even, which has had its part already and is no filter
+    std::uint64_t shared = 0;  ///< through surfaces that several textures may share: Part::has_shape_textures
+  };
+  /// Sets filters_ to what the surfaces wear, and normals_ and uvs_ to what those ask for.
+  Sides find_filters();
+  /// Sets what passes filters of one texture and of equal caustics, at most kRaysAtOnce, by number.
+  void ask_filters(std::span<const std::uint32_t> numbers);
+  const Part& part_at(std::size_t way) const { return context_.scene.parts[met_->crossing[way]->part]; }
 
   TraceContext context_;
   const SurfaceTable& surfaces_;
   const Veils& veils_;
   bool takes_parts_;
+  std::unique_ptr<SurfacePlaces> met_;  ///< by each of ways_
+  Columns3<double> normals_;            ///< of met_, where they are asked for
+  Columns2<double> uvs_;                ///< likewise
+  std::vector<Filter> filters_;
+  std::vector<std::uint32_t> order_;  ///< of those of filters_ that are to be asked, by texture
   std::unique_ptr<SurfacePoints> asked_;
   CoatList coats_;
   std::vector<TextureShare> worn_;

@@ -46,7 +46,6 @@ Stepper::Stepper(const TraceContext& context, std::shared_ptr<const SurfaceTable
       bound_(context.scene, context.camera(), *table_),
       shadow_(context, *table_, veils_of_scene_),
       rays_(std::make_unique<RayBlock>()),
-      places_(std::make_unique_for_overwrite<SurfacePlaces>()),
       asked_(std::make_unique_for_overwrite<SurfacePoints>()),
       block_(std::make_unique<HitBlock>()),
       feelers_(std::make_unique<FeelerBlock>()) {
@@ -123,6 +122,7 @@ void Stepper::step_radiance(std::span<const RayTask> tasks, std::span<const Ray>
   mirrors_.clear();
   coatings_.clear();
   uneven_.clear();
+  own_textures_ = 0;
   block_->begin(tasks.size());
   // Matt surfaces first, so that highlights are worked out for few that have none.
   std::size_t matt = 0;
@@ -138,14 +138,15 @@ void Stepper::step_radiance(std::span<const RayTask> tasks, std::span<const Ray>
   const bool is_veiled = !veils_of_scene_.empty();
   const auto meet_all = [&](std::span<const std::uint8_t> met) {
     find_normals(met);
-    for (std::size_t k = 0; k < met.size(); ++k) {
-      const std::size_t i = met[k];
+    std::size_t place = block_->size;
+    for (const std::size_t i : met) {
       const Rgb weight = is_veiled ? tasks[i].weight() * veils_[i].kept : tasks[i].weight();
-      meet(k, i, tasks[i], weight, light[i]);
+      meet(place++, i, tasks[i], weight, light[i]);
     }
   };
   meet_all(std::span(order).first(matt));
   meet_all(std::span(order).subspan(glossy, tasks.size() - glossy));
+  if (own_textures_ != 0) wear_own_textures();
   if (!uneven_.empty()) meet_uneven();
   if (block_->size > 0) shade();
 }

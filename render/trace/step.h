@@ -62,7 +62,6 @@ class Stepper {
   struct Surface {
     const RayTask* task;
     const Part* part;
-    const Hit* hit;
     Contribution* sum;  ///< of the task
     Rgb weight;         ///< of the task, less what the way to the surface takes
     Rgb own_light;
@@ -112,13 +111,16 @@ class Stepper {
   /// The same of those whose bit is set in `open`, which meet nothing opaque.
   void ask_passing(std::span<const RayTask> tasks, std::uint64_t open);
 
-  /// Sets places_ and normals_ to what these rays of rays_ meet; those that meet one shape after each other ask it once.
+  /// Writes what these rays of rays_ meet behind the hits of block_, with the normals that the shapes have; those that
+  /// meet one shape after each other ask it once.
   void find_normals(std::span<const std::uint8_t> rays);
-  /// Adds the hit of a ray of rays_, which has this place of places_, to block_ and surfaces_, unless it takes the light
-  /// and gives none.
+  /// Adds the hit of a ray of rays_, which was written there at `place`, to block_ and surfaces_, unless it takes the
+  /// light and gives none. Pre: places come in their order.
   void meet(std::size_t place, std::size_t ray, const RayTask& task, const Rgb& weight, Contribution& sum);
   /// One texture of a hit, and its share of how the hit looks.
   void wear(std::size_t hit, std::uint32_t texture, double share);
+  /// The textures of hits on shapes with lists of their own.
+  void wear_own_textures();
   /// Asks textures that differ from point to point, each for all of its hits.
   void meet_uneven();
   /// Sets asked_ to the points of these hits.
@@ -188,14 +190,14 @@ class Stepper {
   std::unique_ptr<RayBlock> rays_;
   Column<std::int64_t> packed_directions_;
   std::array<Hit, kRaysAtOnce> hits_;
-  std::unique_ptr<SurfacePlaces> places_;
-  Columns3<double> normals_;                   ///< of places_, as the shapes have them
   std::array<Veil, kRaysAtOnce> veils_;        ///< of each ray, where the scene has any
   std::array<Surface, kRaysAtOnce> surfaces_;  ///< block_->size of them
   std::vector<Mirror> mirrors_;
   std::vector<Coating> coatings_;
   std::vector<Uneven> uneven_;
-  std::vector<TextureShare> worn_;  ///< at the hit at hand
+  std::uint64_t own_textures_ = 0;  ///< bits of hits on shapes with lists of their own
+  std::vector<TextureShare> worn_;
+  Columns2<double> uvs_;  ///< of hits with textures that ask for them
   std::unique_ptr<SurfacePoints> asked_;
   CoatList coats_;
   std::vector<LayerLook> looks_;

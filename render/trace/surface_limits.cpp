@@ -176,12 +176,10 @@ void Maker::add(const Coat& coat) {
   double most_kept = 1.0;       // of what passes, the rest being mirrored
   double kept_at_mirror = 1.0;  // where it mirrors most
   bool only_takes = true;
-  bool is_opaque = false;
   for (const SurfaceLayer& layer : surfaces_.layers(coat)) {
     const Pigment& source = layer.source->pigment;
     const PigmentLimits pigment(source, scene_.settings.language_version);
     need(pigment.is_known && !source.pattern->pigments);  // colours between those of several pigments are not looked at
-    is_opaque = is_opaque || !lets_light_through(source);
     const Finish& finish = layer.source->finish;
     for (std::size_t i = 0; i < 3; ++i) own[i] += passed * most_kept * lit(finish, pigment, i);
     const double mirror = mirror_of(finish, pigment);
@@ -206,7 +204,7 @@ void Maker::add(const Coat& coat) {
     kept_at_mirror *= coat.count == 1 && positive ? std::abs(1.0 - mirror) : std::max(1.0, std::abs(1.0 - mirror));
   }
   answer.own = largest(own);
-  need(only_takes || is_opaque);  // a feeler may cross any number of surfaces
+  need(only_takes || coat.is_opaque);  // a feeler may cross any number of surfaces
   if (passed * most_kept * (1.0 + PigmentLimits::kBlendError) <=
       scene_.settings.adc_bailout) {  // no ray is sent through
     limits_.answers.push_back(answer);

@@ -2,30 +2,39 @@
 
 #include "render/scene/scene.h"
 #include "render/shape/shape.h"
+#include "render/trace/shape_runs.h"
 
 #include <cstdint>
 #include <vector>
 
 namespace firstlight::render {
 
-/// Calls visit(index into Scene::textures, share) for the textures that are seen at a crossing: one for most, several of a
-/// shape that has its own. `scratch`: for those; what it holds is lost.
+/// Whether a surface, seen from a side, shows textures of its shape's list; else it shows only_texture().
+inline bool shows_own_textures(const Part& part, bool from_inside) {
+  return part.has_shape_textures && !(from_inside && part.interior_texture != kNoIndex);
+}
+
+/// Index into Scene::textures, or kNoIndex. Pre: not shows_own_textures().
+inline std::uint32_t only_texture(const Part& part, bool from_inside) {
+  return from_inside && part.interior_texture != kNoIndex ? part.interior_texture : part.texture;
+}
+
+/// Calls visit(place, index into Scene::textures, share) for the textures that are seen at the places whose bits are set,
+/// place by place. `scratch`: what it holds is lost. Pre: shows_own_textures().
 template <class Visit>
-void for_each_texture(const Scene& scene, const Vec3& point, const Crossing& crossing, bool from_inside,
-                      std::vector<TextureShare>& scratch, const Visit& visit) {
-  const Part& part = scene.parts[crossing.part];
-  if (from_inside && part.interior_texture != kNoIndex) return visit(part.interior_texture, 1.0);
-  if (!part.has_shape_textures) {
-    if (part.texture != kNoIndex) visit(part.texture, 1.0);
-    return;
-  }
-  scratch.clear();
-  crossing.shape->textures(point, crossing, scratch);
-  for (const TextureShare& share : scratch) {
-    const std::uint32_t texture =
-        share.texture == kObjectTexture ? part.texture : scene.shape_textures[part.shape_textures + share.texture];
-    if (texture != kNoIndex && !(share.weight < scene.settings.adc_bailout)) visit(texture, share.weight);
-  }
+void for_each_own_texture(const Scene& scene, const SurfacePlaces& places, std::uint64_t which,
+                          std::vector<TextureShare>& scratch, const Visit& visit) {
+  for_each_run(places, which, [&](const Shape& shape, std::size_t first, std::size_t end) {
+    scratch.clear();
+    shape.textures(places, first, end, scratch);
+    for (const TextureShare& share : scratch) {
+      const Part& part = scene.parts[places.crossing[share.place]->part];
+      const std::uint32_t texture =
+          share.texture == kObjectTexture ? part.texture : scene.shape_textures[part.shape_textures + share.texture];
+      if (texture == kNoIndex || share.weight < scene.settings.adc_bailout) continue;
+      visit(share.place, texture, share.weight);
+    }
+  });
 }
 
 }  // namespace firstlight::render

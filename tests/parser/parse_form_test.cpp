@@ -1,4 +1,5 @@
 #include "tests/parser/object_text.h"
+#include "tests/render/textures_at.h"
 
 namespace firstlight::parser {
 namespace {
@@ -211,12 +212,10 @@ TEST(ParseForm, BlobTakesComponentsWithSurfacesOfTheirOwn) {
   EXPECT_TRUE(object.shape->inside(Vec3(2, 1, 0) + Vec3(1, 0, 0)));
   EXPECT_TRUE(object.shape->inside(Vec3(11, 12, 13)));
   EXPECT_FALSE(object.shape->inside(Vec3(11, 12, 13) + Vec3(1.3, 0, 0)));
-  std::vector<render::TextureShare> shares;
-  object.shape->textures(Vec3(11, 12, 13), {}, shares);
+  std::vector<render::TextureShare> shares = render::textures_at(*object.shape, Vec3(11, 12, 13));
   ASSERT_EQ(shares.size(), 1u);
   EXPECT_EQ(shares[0].texture, render::kObjectTexture);
-  shares.clear();
-  object.shape->textures(Vec3(3, 1, 0), {}, shares);
+  shares = render::textures_at(*object.shape, Vec3(3, 1, 0));
   ASSERT_EQ(shares.size(), 1u);
   EXPECT_EQ(shares[0].texture, 0u);
 }

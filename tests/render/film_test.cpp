@@ -49,6 +49,23 @@ TEST(Film, ThreadsAddToTheSameSums) {
   }
 }
 
+TEST(Film, IsCompleteWhenNothingIsOutstandingAndAllIsLit) {
+  Film film(2, 1);
+  film.expect(100);
+  EXPECT_FALSE(film.is_complete());
+  const std::vector<Contribution> light = {{0, FixedRgb::from({1.0f, 2.0f, 3.0f}), -100},
+                                           {1, FixedRgb::from({4.0f, 5.0f, 6.0f}), -100}};
+  film.mark_lit(0);
+  film.add(std::span(light).first(1));
+  film.mark_lit(1);
+  EXPECT_FALSE(film.is_complete()) << "light may still come";
+  film.add(std::span(light).subspan(1));
+  EXPECT_TRUE(film.is_complete());
+  std::vector<Rgb> row(2);
+  film.row(0, row);
+  EXPECT_EQ(row, film.snapshot());
+}
+
 TEST(Film, DealsBandsOfRowsOutAmongThreads) {
   constexpr int kWidth = 300;
   constexpr int kHeight = 200;

@@ -191,7 +191,8 @@ TEST(Jpeg, BrokenFilesAreErrorsOrWholePictures) {
 
 TEST(Jpeg, WrittenOnesSayThatTheyAreSrgb) {
   const Bytes rgb(8 * 8 * 3, 50);
-  const Bytes file = make_jpeg(8, 8, rgb.data());
+  Bytes file;
+  make_jpeg(rows_of(8, 8, rgb), [&](FileBytes part) { file.insert(file.end(), part.begin(), part.end()); });
   const std::string text(file.begin(), file.end());
   EXPECT_EQ(text.substr(6, 4), "JFIF");
   EXPECT_EQ(text.substr(24, 4), "Exif");

@@ -7,6 +7,7 @@
 #include <unistd.h>
 
 #include <array>
+#include <bit>
 #include <cmath>
 #include <filesystem>
 #include <fstream>
@@ -96,6 +97,32 @@ TEST(Encoding, FollowsTheScenesGamma) {
   settings.gamma = WorkingGamma::power;
   settings.gamma_exponent = 2.0;
   EXPECT_EQ(file_encoding(settings).byte(0.5f), Encoding::linear().byte(0.25f));
+}
+
+TEST(Encoding, OfManyColorsIsThatOfEach) {
+  std::vector<Rgb> colors;
+  const auto add = [&](std::uint32_t bits) {
+    const float number = std::bit_cast<float>(bits);
+    colors.emplace_back(number, -number, number * 3.0f);
+  };
+  for (std::uint32_t bits = 0; bits < std::bit_cast<std::uint32_t>(4.0f); bits += 9973) add(bits);
+  // Beside where bytes change, as far as POV-Ray's curve goes there.
+  for (int byte = 0; byte < 255; ++byte) {
+    float low = 0.0f;
+    float high = 1.0f;
+    while (std::nextafter(low, high) < high) {
+      const float middle = (low + high) / 2.0f;
+      (Encoding::linear().byte(middle) <= byte ? low : high) = middle;
+    }
+    for (std::uint32_t step = 0; step < 16; ++step) add(std::bit_cast<std::uint32_t>(low) + step - 8);
+  }
+  for (const float odd : {NAN, INFINITY, -INFINITY}) colors.emplace_back(odd, odd, odd);
+  for (const Encoding& encoding : {Encoding::linear(), Encoding::as_is(), Encoding::power(2.2), Encoding::power(0.7)}) {
+    const std::vector<std::uint8_t> bytes = to_bytes(colors, encoding);
+    for (std::size_t i = 0; i < colors.size(); ++i) {
+      for (unsigned c = 0; c < 3; ++c) ASSERT_EQ(bytes[3 * i + c], encoding.byte(colors[i][c])) << colors[i][c];
+    }
+  }
 }
 
 TEST(Encoding, KeepsTheOrderOfPixelsAndChannels) {

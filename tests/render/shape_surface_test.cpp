@@ -13,6 +13,7 @@
 #include "render/shape/sor.h"
 #include "render/shape/superellipsoid.h"
 #include "tests/render/shape_test_support.h"
+#include "tests/render/textures_at.h"
 
 #include <limits>
 
@@ -104,8 +105,7 @@ TEST(Mesh, InterpolatesNormalsCoordinatesAndTexturesBetweenCorners) {
   expect_near(shape->normal(p, all[0]), Vec3(0.25, 0.5, -0.25).normalized(), 1e-6);
   EXPECT_NEAR(shape->uv(p, all[0]).x, 0.5, 1e-9);
   EXPECT_NEAR(shape->uv(p, all[0]).y, 2.0, 1e-9);
-  std::vector<TextureShare> shares;
-  shape->textures(p, all[0], shares);
+  const std::vector<TextureShare> shares = textures_at(*shape, p, all[0]);
   ASSERT_EQ(shares.size(), 3u);
   const double expected[] = {0.25, 0.25, 0.5};
   for (std::size_t i = 0; i < 3; ++i) {
@@ -146,8 +146,7 @@ TEST(Blob, IsAClosedSolid) {
 
 TEST(Blob, TexturesHaveTheSharesOfTheirFields) {
   const ShapePtr blob = make_blob(three_balls());
-  std::vector<TextureShare> shares;
-  blob->textures(Vec3(-0.375, 0.1, 0.2), {}, shares);
+  const std::vector<TextureShare> shares = textures_at(*blob, Vec3(-0.375, 0.1, 0.2));
   ASSERT_EQ(shares.size(), 2u);
   EXPECT_GT(shares[0].weight, shares[1].weight);
   EXPECT_NEAR(shares[0].weight + shares[1].weight, 1.0, 1e-12);

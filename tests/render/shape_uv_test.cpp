@@ -1,4 +1,7 @@
+#include "render/shape/blob.h"
+#include "render/shape/mesh.h"
 #include "tests/render/shape_test_support.h"
+#include "tests/render/textures_at.h"
 
 namespace firstlight::render {
 namespace {
@@ -63,10 +66,83 @@ TEST(Uv, OfOtherShapesIsThePlaceInSpace) {
             Vec2(3.25, 0.5));
 }
 
-TEST(Textures, OfAShapeWithoutAListAreTheObjects) {
+/// Crossings of rays with a shape, side by side; `crossings` holds them.
+std::unique_ptr<SurfacePlaces> places_on(const Shape& shape, std::vector<Crossing>& crossings) {
+  auto places = std::make_unique<SurfacePlaces>();
+  crossings.reserve(kRaysAtOnce);
+  for (int i = 0; crossings.size() < kRaysAtOnce && i < 10'000; ++i) {
+    const Ray ray{Vec3(5.0 * std::cos(i), 5.0 * std::sin(i), 5.0 * std::sin(3.0 * i)), Vec3(0.0)};
+    const Vec3 target(0.4 * std::sin(5.0 * i), 0.4 * std::cos(7.0 * i), 0.3);
+    std::vector<Crossing> all;
+    shape.crossings({ray.origin, (target - ray.origin).normalized()}, all);
+    if (all.empty()) continue;
+    const std::size_t k = crossings.size();
+    crossings.push_back(all.front());
+    places->crossing[k] = &crossings.back();
+    places->point.set(k, ray.origin + (target - ray.origin).normalized() * all.front().depth);
+  }
+  EXPECT_EQ(crossings.size(), kRaysAtOnce);
+  return places;
+}
+
+/// A run that begins and ends within the places is asked as its points are, one by one.
+void expect_runs_of_points(const ShapePtr& shape) {
+  constexpr std::size_t kFirst = 3;
+  constexpr std::size_t kEnd = 61;
+  std::vector<Crossing> crossings;
+  const std::unique_ptr<SurfacePlaces> places = places_on(*shape, crossings);
+  if (crossings.size() < kRaysAtOnce) return;
+  Columns3<double> normals;
+  Columns2<double> uvs;
   std::vector<TextureShare> shares;
+  shape->normals(*places, kFirst, kEnd, normals);
+  shape->uvs(*places, kFirst, kEnd, uvs);
+  shape->textures(*places, kFirst, kEnd, shares);
+  auto share = shares.begin();
+  for (std::size_t i = kFirst; i < kEnd; ++i) {
+    const Vec3 point = places->point.vector(i);
+    EXPECT_EQ(normals.vector(i), shape->normal(point, crossings[i]));
+    EXPECT_EQ(uvs.vector(i), shape->uv(point, crossings[i]));
+    for (const TextureShare& alone : textures_at(*shape, point, crossings[i])) {
+      ASSERT_NE(share, shares.end());
+      EXPECT_EQ(share->place, i);
+      EXPECT_EQ(share->texture, alone.texture);
+      EXPECT_EQ(share->weight, alone.weight);
+      ++share;
+    }
+  }
+  EXPECT_EQ(share, shares.end());
+}
+
+TEST(Runs, AreAskedAsTheirPoints) {
+  const Transform placement =
+      Transform::scaling(Vec3(1.0, 1.5, 0.75)).then(Transform::translation(Vec3(0.25, 0.0, 0.125)));
+  BlobParameters blob;
+  blob.threshold = 0.4;
+  for (std::uint32_t i = 0; i < 3; ++i) {
+    BlobParameters::Component& ball = blob.components.emplace_back();
+    ball.center = Vec3(0.5 * i - 0.5, 0.2 * i, 0.0);
+    ball.texture = i;
+  }
+  MeshParameters mesh;
+  mesh.vertices = {{-2, -2, 0}, {2, -2, 0}, {0, 3, 0}, {0, 0, 2}};
+  mesh.faces = {{0, 1, 2}, {0, 1, 3}};
+  mesh.normals = {{0, 0, -1}, {1, 0, 0}, {0, 1, 0}};
+  mesh.face_normals = {{0, 1, 2}, {0, 1, 2}};
+  mesh.uv = {Vec2(0, 0), Vec2(2, 0), Vec2(0, 4)};
+  mesh.face_uvs = {{0, 1, 2}, {2, 1, 0}};
+  mesh.face_textures = {{0, 1, 2}, {1, 1, 1}};
+  for (const ShapePtr& shape : {make_sphere(Vec3(0.0), 1.0), make_torus(1.0, 0.5), make_box(Vec3(-1.0), Vec3(1.0)),
+                                make_blob(blob), make_mesh(mesh)}) {
+    expect_runs_of_points(shape);
+    expect_runs_of_points(shape->placed(placement));
+    expect_runs_of_points(shape->placed(placement)->inverted());
+  }
+}
+
+TEST(Textures, OfAShapeWithoutAListAreTheObjects) {
   const ShapePtr sphere = make_sphere(Vec3(0.0), 1.0);
-  sphere->textures(Vec3(1, 0, 0), {9.0, sphere.get(), 0, 0, {}}, shares);
+  const std::vector<TextureShare> shares = textures_at(*sphere, Vec3(1, 0, 0), {9.0, sphere.get(), 0, 0, {}});
   ASSERT_EQ(shares.size(), 1u);
   EXPECT_EQ(shares[0].texture, kObjectTexture);
   EXPECT_EQ(shares[0].weight, 1.0);

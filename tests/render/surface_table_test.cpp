@@ -104,7 +104,7 @@ SurfacePoints points_at(std::initializer_list<Vec3> places) {
     points.normal.set(i, Vec3(0.0, 1.0, 0.0));
     points.tilted.set(i, Vec3(0.0, 1.0, 0.0));
     points.direction.set(i, Vec3(0.0, -1.0, 0.0));
-    points.u[i] = points.v[i] = 0.0;
+    points.uv.set(i, Vec2(0.0));
   }
   return points;
 }
