@@ -15,7 +15,6 @@
 
 #include <hwy/highway.h>
 
-#include <bit>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
@@ -86,16 +85,15 @@ HWY_NOINLINE bool meet_block(const SolidLeaf& leaf, std::uint64_t who, std::uint
   return true;
 }
 
-/// Fewer rays are met one by one.
-constexpr int kFewestTogether = 3;
-
+/// One ray or two are met one by one.
 template <class Search>
 HWY_INLINE void meet_leaf(const SolidLeaf& leaf, std::uint64_t who, Search& search) {
   if (leaf.only_blocks && !Search::kAsksForOpaque) return;
   Column<double> from;
   who = entering(leaf.bounds, search.seeing(who, leaf.head), search, from);
   if (who == 0) return;
-  if (!leaf.in_blocks || std::popcount(who) < kFewestTogether) return meet_singly(leaf, who, from, search);
+  const std::uint64_t but_one = who & (who - 1);
+  if (!leaf.in_blocks || (but_one & (but_one - 1)) == 0) return meet_singly(leaf, who, from, search);
   if (!leaf.geometry->hides_some()) {
     if (!meet_block(leaf, who, 0, from, search)) meet_singly(leaf, who, from, search);
     return;
