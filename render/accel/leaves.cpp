@@ -61,7 +61,7 @@ Leaves::Leaves(const Scene& scene) : tie_order(scene) {
       boxes.push_back({box->axis_box(), bounds, head});
     } else {
       ref = next_ref(ChildKind::solid, solids.size());
-      solids.push_back({&solid, bounds, head, solid.is_cramped(), false});
+      solids.push_back({&solid, bounds, head, solid.is_cramped(), solid.suits_blocks(), false});
     }
     if (WideTree::fits(world_box)) {
       items.push_back({world_box, ref});
@@ -74,7 +74,7 @@ Leaves::Leaves(const Scene& scene) : tie_order(scene) {
       const Box3 blocker_box = blocker->surface_box();
       if (!head.opaque || !is_bounded(blocker_box) || overlap(blocker_box, world_box).isEmpty()) continue;
       ref = next_ref(ChildKind::solid, solids.size());
-      solids.push_back({blocker, FloatBox(blocker_box), head, false, true});
+      solids.push_back({blocker, FloatBox(blocker_box), head, false, blocker->suits_blocks(), true});
       if (WideTree::fits(blocker_box)) {
         items.push_back({blocker_box, ref});
       } else {

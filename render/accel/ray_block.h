@@ -1,6 +1,6 @@
 #pragma once
 
-#include "render/math/columns.h"
+#include "render/math/ray_columns.h"
 
 #include <cstddef>
 #include <cstdint>
@@ -8,10 +8,8 @@
 namespace firstlight::render {
 
 /// Up to kRaysAtOnce rays side by side; of each counts what lies between min_depth and max_depth, both excluded.
-struct RayBlock {
+struct RayBlock : RayColumns {
   std::size_t size = 0;
-  Columns3<double> origin;
-  Columns3<double> direction;
   Column<double> min_depth;
   Column<double> max_depth;         ///< not beyond min_depth: the ray meets nothing
   Column<std::int64_t> hidden_bit;  ///< kHiddenFromPrimary, ...Reflection or ...Shadow of its kind; 0: sees everything

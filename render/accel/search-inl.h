@@ -39,7 +39,7 @@ class BlockSearch {
   const RayBlock& rays() const { return rays_; }
   const FloatRays& float_rays() const { return float_rays_; }
   HWY_INLINE ExactRay exact(std::size_t i) const { return ExactRay(rays_, float_rays_.exact_inverse, i); }
-  HWY_INLINE Ray ray(std::size_t i) const { return {rays_.origin.vector(i), rays_.direction.vector(i)}; }
+  HWY_INLINE Ray ray(std::size_t i) const { return rays_.ray(i); }
   /// Up to which depth crossings of each ray matter.
   const Column<double>& limits() const { return limits_; }
   double limit(std::size_t i) const { return limits_[i]; }
@@ -116,6 +116,14 @@ class ClosestSearch : public BlockSearch {
     float_rays_.last[i] = FloatRays::above(depth);
   }
 
+  /// Offers the nearest crossing of one solid: beyond min_depth and, unless the solid is cramped, not before `from`.
+  HWY_INLINE void offer_nearest(std::size_t i, double depth, const Slot& slot, const SolidLeaf& leaf, double from) {
+    LeafHead head = leaf.head;
+    head.shape = slot.shape;
+    head.part = slot.part;
+    if (leaf.is_cramped) return offer_nearest_cramped(i, depth, slot.face_of(i), slot.place_of(i), head, from);
+    offer(i, depth, slot.face_of(i), slot.place_of(i), head, from);
+  }
   /// Offers the crossings of one solid.
   HWY_INLINE void offer_all(std::size_t i, const std::vector<Crossing>& crossings, const SolidLeaf& leaf, double from) {
     LeafHead head = leaf.head;
@@ -142,11 +150,15 @@ class ClosestSearch : public BlockSearch {
     if (nearest == nullptr) return;
     head.shape = nearest->shape;
     head.part = nearest->part;
-    offer(i, std::max(nearest->depth, from), nearest->face, nearest->place, head, from);
-    if (nearest->depth >= from || hits_[i].solid != head.solid) return;
+    offer_nearest_cramped(i, nearest->depth, nearest->face, nearest->place, head, from);
+  }
+  void offer_nearest_cramped(std::size_t i, double depth, std::uint32_t face, const std::array<double, 2>& place,
+                             const LeafHead& head, double from) {
+    offer(i, std::max(depth, from), face, place, head, from);
+    if (depth >= from || hits_[i].solid != head.solid) return;
     early_ |= std::uint64_t{1} << i;
     early_solid_[i] = head.solid;
-    early_depth_[i] = nearest->depth;
+    early_depth_[i] = depth;
   }
 
   /// Member by member: a hit that is put together elsewhere and copied is written twice.
@@ -190,6 +202,12 @@ class BlockingSearch : public BlockSearch {
     blocked_ |= std::uint64_t{1} << i;
     limits_[i] = std::numeric_limits<double>::lowest();  // it looks no further
     float_rays_.last[i] = std::numeric_limits<float>::lowest();
+  }
+  /// Offers something opaque of one solid that counts.
+  HWY_INLINE void offer_nearest(std::size_t i, double depth, const Slot& slot, const SolidLeaf& leaf, double from) {
+    LeafHead head = leaf.head;
+    head.part = slot.part;
+    offer(i, depth, 0, {}, head, leaf.is_cramped ? 0.0 : from);
   }
   /// Offers the crossings of one solid.
   HWY_INLINE void offer_all(std::size_t i, const std::vector<Crossing>& crossings, const SolidLeaf& leaf, double from) {

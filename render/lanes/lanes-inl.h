@@ -98,6 +98,9 @@ struct Lanes {
   friend HWY_INLINE Lanes max(const Lanes& a, const Lanes& b) { return hn::IfThenElse(hn::Lt(a.v, b.v), b.v, a.v); }
 };
 
+/// A bit for each lane.
+constexpr std::uint64_t kAllLanes = (std::uint64_t{1} << Lanes::kCount) - 1;
+
 /// a in the lanes of `which`, b in the others.
 HWY_INLINE Lanes select(const LanesMask& which, const Lanes& a, const Lanes& b) {
   return hn::IfThenElse(which.m, a.v, b.v);

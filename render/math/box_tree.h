@@ -1,5 +1,6 @@
 #pragma once
 
+#include "render/math/block_tests.h"
 #include "render/math/bounds.h"
 #include "render/math/vec.h"
 
@@ -38,6 +39,42 @@ class BoxTree {
       ++at;
     }
     return false;
+  }
+
+  /// visit(index, rays) for each box that some of the rays in `who` meet, with which, in no particular order.
+  template <class Visit>
+  void for_each_met(const RayColumns& rays, const Columns3<double>& inverse, std::uint64_t who, const Visit& visit) const {
+    for (const std::uint32_t index : boundless_) visit(index, who);
+    std::uint32_t at = 0;
+    while (at < nodes_.size()) {
+      const Node& node = nodes_[at];
+      const std::uint64_t here = meeting(rays, inverse, node.box, who);
+      if (here == 0) {
+        at = node.after;
+        continue;
+      }
+      if (node.index != kInner) visit(node.index, here);
+      ++at;
+    }
+  }
+  /// left = visit(index, points, left) for each box that holds some of the points that are left, with which of them; `who` are
+  /// left at first. Returns those that are at the end.
+  template <class Visit>
+  std::uint64_t for_each_around(const Columns3<double>& points, std::uint64_t who, const Visit& visit) const {
+    std::uint64_t left = who;
+    for (std::size_t b = 0; b < boundless_.size() && left != 0; ++b) left = visit(boundless_[b], left, left);
+    std::uint32_t at = 0;
+    while (at < nodes_.size() && left != 0) {
+      const Node& node = nodes_[at];
+      const std::uint64_t here = within(points, node.box, left);
+      if (here == 0) {
+        at = node.after;
+        continue;
+      }
+      if (node.index != kInner) left = visit(node.index, here, left);
+      ++at;
+    }
+    return left;
   }
 
  private:

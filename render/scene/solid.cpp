@@ -1,7 +1,7 @@
 #include "render/scene/solid.h"
 
-#include "render/math/box_tree.h"
 #include "render/math/interrupt.h"
+#include "render/scene/solid_structure.h"
 #include "render/shape/plane.h"
 
 #include <algorithm>
@@ -18,14 +18,6 @@ constexpr double kBoxRoom = 2e-6;
 /// And at least, in scene units: a point is off by some 2^-52 of where its ray begins and of how long it is, however
 /// near to 0 the box lies. Rays are followed for 1e7, so this is a hundred times what they are off by.
 constexpr double kLeastRoom = 1e-6;
-/// A bounding object counts as met from this depth on. [POV-Ray 3.7]
-constexpr double kNearestBound = 1e-4;
-
-// How members hide is POV-Ray 3.7's rule: a union asks for no_reflection only (no_image of a member does not hide it
-// from the camera), a merge asks for both, an intersection for none, and no_shadow counts for whole objects alone.
-constexpr std::uint8_t kHidesInUnion = kHiddenFromReflection;
-constexpr std::uint8_t kHidesInMerge = kHiddenFromPrimary | kHiddenFromReflection;
-
 Box3 roomy(const Box3& box) { return padded(box, kBoxRoom, kLeastRoom); }
 
 bool is_within(const Box3& inner, const Box3& outer) {
@@ -82,31 +74,6 @@ constexpr std::size_t kManyMembers = 12;
 thread_local std::vector<std::uint32_t> members_to_ask;
 
 }  // namespace
-
-/// The structure of a solid that is not plain.
-struct Solid::Structure {
-  /// Trees over many members: over those whose surface a ray may meet, and those that may decide whether a point is
-  /// inside.
-  struct MemberTrees {
-    BoxTree surface;
-    BoxTree deciding;
-  };
-
-  std::vector<Solid> members;
-  std::vector<Solid> clips;
-  std::vector<Solid> bounds;
-  std::optional<Extent> extent;
-  std::optional<Box3> given_box;  // of the extent, where the solid is cramped
-  Box3 box;                       // of the whole; filled by close(), as all below
-  Reach reach;
-  std::vector<Box3> member_boxes;     // asked before the members
-  std::vector<Reach> member_reaches;  // likewise
-  std::vector<Box3> bound_boxes;
-  std::shared_ptr<const MemberTrees> trees;  // null for few members
-
-  void close_members(Kind kind);
-  void plant_trees(Kind kind);
-};
 
 /// Finds the boxes of what the members make together.
 void Solid::Structure::close_members(Kind kind) {
@@ -198,6 +165,14 @@ void Solid::close() {
     structure.close_members(kind);
   }
   structure.bound_boxes = boxes_of(structure.bounds);
+  structure.levels = 1;
+  structure.hides_some = false;
+  for (const auto* within : {&structure.members, &structure.clips, &structure.bounds}) {
+    for (const Solid& solid : *within) {
+      structure.levels = std::max(structure.levels, 1 + solid.structure_->levels);
+      structure.hides_some = structure.hides_some || solid.hidden_from != 0 || solid.structure_->hides_some;
+    }
+  }
   for (const Solid& clip : structure.clips) {
     const Reach reach = clip.reach();
     structure.box = overlap(structure.box, reach.inside);
@@ -272,9 +247,7 @@ void Solid::crossings(const Ray& ray, std::uint8_t hidden_bit, std::vector<Cross
   if (!reaches_bounds(ray, hidden_bit, out)) return;
   const std::size_t first = out.size();
   if (kind == Kind::shape) add_shape_crossings(ray, out);
-  const std::uint8_t hiding = kind == Kind::union_  ? kHidesInUnion & hidden_bit
-                              : kind == Kind::merge ? kHidesInMerge & hidden_bit
-                                                    : 0;
+  const std::uint8_t hiding = hiding_in(kind, hidden_bit);
   if (structure.trees) {
     const std::size_t mark = members_to_ask.size();
     structure.trees->surface.met_by(ray, members_to_ask);

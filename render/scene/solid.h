@@ -1,10 +1,12 @@
 #pragma once
 
 #include "render/math/bounds.h"
+#include "render/math/ray_columns.h"
 #include "render/math/shared.h"
 #include "render/math/vec.h"
 #include "render/scene/extent.h"
 #include "render/shape/shape.h"
+#include "render/shape/slots.h"
 
 #include <cstddef>
 #include <cstdint>
@@ -21,6 +23,14 @@ constexpr std::uint8_t kHiddenFromShadow = 4;      ///< no_shadow
 struct Reach {
   Box3 inside = boundless_box();   ///< every point outside of it is outside the solid
   Box3 outside = boundless_box();  ///< every point outside of it is inside the solid
+};
+
+/// What is asked of a solid for the rays of a block.
+struct BlockQuestion {
+  const RayColumns& rays;
+  const Columns3<double>& inverse;  ///< one over each direction; for 0 a number that is large and finite
+  DepthWindow window;
+  const std::vector<bool>* opaque_parts = nullptr;  ///< if given, only what lies on these parts counts
 };
 
 /// The frozen geometry of an object as rays meet it: one shape, or a combination whose crossings are filtered by its
@@ -71,7 +81,18 @@ class Solid {
   void crossings(const Ray& ray, std::uint8_t hidden_bit, std::vector<Crossing>& out) const;
   /// The same where only the nearest crossing beyond `low` counts, and only below `high`: others may be left out.
   void nearest(const Ray& ray, std::uint8_t hidden_bit, double low, double high, std::vector<Crossing>& out) const;
+  /// The nearest crossing of each ray in `who`, as nearest() tells it, of rays of a block that are all of one kind; where only
+  /// opaque parts count, the nearest on these. `slots` has them until it is cleared. False: not found out, for a solid too
+  /// deep or with too many crossings; one ray can still be asked.
+  bool meet(const BlockQuestion& question, std::uint8_t hidden_bit, std::uint64_t who, Slots& slots,
+            NearestCrossings& nearest) const;
+  /// Whether the kind of a ray matters to what it meets.
+  bool hides_some() const;
+  /// Whether a block of rays is met sooner together than one by one.
+  bool suits_blocks() const;
   bool inside(const Vec3& point) const;
+  /// Of the points whose bits are in `who`, the bits of those that are inside. Pre: the solid suits blocks.
+  std::uint64_t inside(const Columns3<double>& points, std::uint64_t who) const;
   /// Whether a ray that begins at `point`, in space, begins in the solid.
   /// Source   POV-Ray 3.7: it asks the bounding box, and does not ask what clips the whole.
   bool holds_start(const Vec3& point) const;
@@ -80,6 +101,7 @@ class Solid {
 
  private:
   struct Structure;
+  class Meeting;
 
   Reach reach() const;
   bool inside_unclipped(const Vec3& point) const;
@@ -90,6 +112,12 @@ class Solid {
   bool member_holds(std::size_t index, const Vec3& point) const;
   bool inside_all_members(const Vec3& point, const Solid* but) const;
   bool inside_any_member(const Vec3& point, const Solid* but, std::uint8_t hiding) const;
+  std::uint64_t member_holds(std::size_t index, const Columns3<double>& points, std::uint64_t who) const;
+  template <class Own>
+  std::uint64_t inside_all_members(const Columns3<double>& points, std::uint64_t who, const Own& own) const;
+  template <class Own>
+  std::uint64_t inside_any_member(const Columns3<double>& points, std::uint64_t who, std::uint8_t hiding,
+                                  const Own& own) const;
 
   Shared<Structure> structure_;
 };

@@ -2,9 +2,32 @@
 
 #include "render/shape/primitives.h"
 
+#undef HWY_TARGET_INCLUDE
+#define HWY_TARGET_INCLUDE "render/shape/box.cpp"
+#include <hwy/foreach_target.h>
+
+#include "render/shape/box-inl.h"
+
 #include <algorithm>
 
+HWY_BEFORE_NAMESPACE();
 namespace firstlight::render {
+namespace HWY_NAMESPACE {
+
+FIRSTLIGHT_MEET_KERNEL(AxisBox)
+FIRSTLIGHT_INSIDE_KERNEL(AxisBox)
+
+}  // namespace HWY_NAMESPACE
+}  // namespace firstlight::render
+HWY_AFTER_NAMESPACE();
+
+#if HWY_ONCE
+namespace firstlight::render {
+
+FIRSTLIGHT_MEET_MEMBERS(AxisBox)
+FIRSTLIGHT_INSIDE_MEMBERS(AxisBox)
+void AxisBox::meet(const Ray& ray, BoxMet& met) const { HWY_NAMESPACE::meet_one(*this, ray, met); }
+
 namespace {
 
 bool keeps_axes(const Mat4& m) {
@@ -27,6 +50,14 @@ void Box::crossings(const Ray& ray, std::vector<Crossing>& out) const {
   box_.meet(ray, met);
 }
 
+void Box::meet_block(const RayColumns& rays, std::uint64_t who, const DepthWindow*, Slots& slots) const {
+  box_.meet_block(Transform(), rays, who, *this, slots);
+}
+
+std::uint64_t Box::inside_block(const Columns3<double>& points, std::uint64_t who) const {
+  return box_.inside_block(Transform(), inverted_, points, who);
+}
+
 Vec3 Box::normal(const Vec3& point, const Crossing& crossing) const {
   const Vec3 n = box_.normal(point, crossing);
   return inverted_ ? -n : n;
@@ -44,3 +75,4 @@ ShapePtr make_box(const Vec3& corner1, const Vec3& corner2) {
 }
 
 }  // namespace firstlight::render
+#endif

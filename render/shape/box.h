@@ -1,11 +1,10 @@
 #pragma once
 
 #include "render/shape/placed.h"
-#include "render/shape/tolerance.h"
 
 #include <array>
-#include <cmath>
 #include <cstddef>
+#include <cstdint>
 
 namespace firstlight::render {
 
@@ -26,49 +25,18 @@ struct BoxMet {
 /// Source   POV-Ray 3.7: of two sides met within 1e-6 of each other the one that the ray meets more squarely is it.
 struct AxisBox {
   static constexpr bool kAsksBox = false;
+  static constexpr std::size_t kSlots = 2;
   Vec3 low;
   Vec3 high;
 
-  /// Depths are those of the given ray, whatever its direction's length. `met.add(depth, face)` takes them.
-  template <class List>
-  void meet(const Ray& ray, List& met) const {
-    double near = 0.0;
-    double far = kBoundingHuge;
-    int near_face = -1;
-    int far_face = -1;
-    for (int axis = 0; axis < 3; ++axis) {
-      const double d = ray.direction[axis];
-      const double o = ray.origin[axis];
-      if (!(std::abs(d) > kEpsilon)) {
-        if (o < low[axis] || o > high[axis]) return;
-        continue;
-      }
-      const double close = axis == 0 ? 0.0 : 1e-6;
-      const bool upwards = d > 0.0;
-      const double leaves = ((upwards ? high[axis] : low[axis]) - o) / d;
-      const int leaving_face = 2 * axis + (upwards ? 1 : 0);
-      if (leaves < near) return;
-      if (leaves <= far - close) {
-        far_face = leaving_face;
-        far = leaves;
-      } else if (leaves <= far + close && more_squarely(ray, axis, far_face)) {
-        far_face = leaving_face;
-      }
-      const double enters = ((upwards ? low[axis] : high[axis]) - o) / d;
-      const int entering_face = 2 * axis + (upwards ? 0 : 1);
-      if (enters >= near + close) {
-        if (enters > far) return;
-        near_face = entering_face;
-        near = enters;
-      } else if (enters >= near - close && more_squarely(ray, axis, near_face)) {
-        near_face = entering_face;
-      }
-    }
-    if (far < kNearestCrossing || far_face < 0) return;
-    if (near > kNearestCrossing) met.add(near, static_cast<std::uint32_t>(near_face));
-    met.add(far, static_cast<std::uint32_t>(far_face));
-  }
-  bool inside(const Vec3& point, bool inverted) const { return Box3(low, high).intersects(point) != inverted; }
+  /// Depths are those of the given ray, whatever its direction's length.
+  void meet(const Ray& ray, BoxMet& met) const;
+  void meet(const Ray& ray, Met& met) const;
+  bool inside(const Vec3& point, bool inverted) const;
+  void meet_block(const Transform& transform, const RayColumns& rays, std::uint64_t who, const Shape& shape,
+                  Slots& slots) const;
+  std::uint64_t inside_block(const Transform& transform, bool inverted, const Columns3<double>& points,
+                             std::uint64_t who) const;
   Vec3 normal(const Vec3&, const Crossing& at) const {
     Vec3 n(0.0);
     n[static_cast<int>(at.face / 2)] = at.face % 2 == 0 ? -1.0 : 1.0;
@@ -95,11 +63,6 @@ struct AxisBox {
   }
   Box3 bounds() const { return Box3(low, high); }
   Box3 inside_bounds() const { return bounds(); }
-
- private:
-  static bool more_squarely(const Ray& ray, int axis, int face) {
-    return face >= 0 && std::abs(ray.direction[axis]) > std::abs(ray.direction[face / 2]);
-  }
 };
 
 /// A box along the axes of world space; what a translation or a scaling leaves a box.
@@ -111,6 +74,10 @@ class Box final : public Shape {
 
   void crossings(const Ray& ray, std::vector<Crossing>& out) const override;
   bool inside(const Vec3& point) const override { return box_.inside(point, inverted_); }
+  void meet_block(const RayColumns& rays, std::uint64_t who, const DepthWindow* nearest_only,
+                  Slots& slots) const override;
+  std::uint64_t inside_block(const Columns3<double>& points, std::uint64_t who) const override;
+  bool is_over_lanes() const override { return true; }
   Vec3 normal(const Vec3& point, const Crossing& crossing) const override;
   Vec2 uv(const Vec3& point, const Crossing& crossing) const override { return box_.uv(point, crossing); }
   Box3 bounds() const override { return box_.bounds(); }

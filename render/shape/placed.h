@@ -52,6 +52,10 @@ struct UnitRay {
 ///
 ///     void meet(const Ray& ray, Met& met) const;                     the ray's direction may have any length
 ///     bool inside(const Vec3& point, bool inverted) const;
+///     void meet_block(const Transform& transform, const RayColumns& rays, std::uint64_t who, const Shape& shape,
+///                     Slots& slots) const;                           may be left out: ray by ray
+///     std::uint64_t inside_block(const Transform& transform, bool inverted, const Columns3<double>& points,
+///                                std::uint64_t who) const;           goes with it
 ///     Vec3 normal(const Vec3& point, const Crossing& at) const;      outward, of any length
 ///     Vec2 uv(const Vec3& point, const Crossing& at) const;          may be left out: x and y of the point in space
 ///     void textures(places, first, end, out) const;                  may be left out; as Shape's
@@ -78,6 +82,22 @@ class Placed final : public Shape {
     local().meet(transform_.inverse_ray(ray), met);
   }
   bool inside(const Vec3& point) const override { return local().inside(transform_.inverse_point(point), inverted_); }
+  void meet_block(const RayColumns& rays, std::uint64_t who, const DepthWindow* nearest_only,
+                  Slots& slots) const override {
+    if constexpr (kIsOverLanes) {
+      local().meet_block(transform_, rays, who, *this, slots);
+    } else {
+      Shape::meet_block(rays, who, nearest_only, slots);
+    }
+  }
+  std::uint64_t inside_block(const Columns3<double>& points, std::uint64_t who) const override {
+    if constexpr (kIsOverLanes) {
+      return local().inside_block(transform_, inverted_, points, who);
+    } else {
+      return Shape::inside_block(points, who);
+    }
+  }
+  bool is_over_lanes() const override { return kIsOverLanes; }
   Vec3 normal(const Vec3& point, const Crossing& crossing) const override {
     const Vec3 n = transform_.normal(local().normal(transform_.inverse_point(point), crossing)).normalized();
     return inverted_ ? -n : n;
@@ -130,6 +150,8 @@ class Placed final : public Shape {
   }
 
  private:
+  static constexpr bool kIsOverLanes = requires { &Local::meet_block; };
+
   static constexpr bool is_large() {
     if constexpr (requires { Local::kIsLarge; }) return Local::kIsLarge;
     return false;

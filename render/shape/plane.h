@@ -1,9 +1,8 @@
 #pragma once
 
 #include "render/shape/shape.h"
-#include "render/shape/tolerance.h"
 
-#include <cmath>
+#include <cstdint>
 
 namespace firstlight::render {
 
@@ -15,16 +14,12 @@ class Plane final : public Shape {
   const Vec3& unit_normal() const { return normal_; }
   double offset() const { return offset_; }
 
-  /// The depth of the one crossing, or a negative number.
-  double meet(const Ray& ray) const {
-    const double approach = normal_.dot(ray.direction);
-    if (!(std::abs(approach) >= kEpsilon)) return -1.0;
-    const double depth = -(normal_.dot(ray.origin) + offset_) / approach;
-    return depth >= kNearestCrossing && depth <= kMaxDistance ? depth : -1.0;
-  }
-
   void crossings(const Ray& ray, std::vector<Crossing>& out) const override;
   bool inside(const Vec3& point) const override;
+  void meet_block(const RayColumns& rays, std::uint64_t who, const DepthWindow* nearest_only,
+                  Slots& slots) const override;
+  std::uint64_t inside_block(const Columns3<double>& points, std::uint64_t who) const override;
+  bool is_over_lanes() const override { return true; }
   Vec3 normal(const Vec3& point, const Crossing& crossing) const override;
   void normals(const SurfacePlaces& places, std::size_t first, std::size_t end, Columns3<double>& out) const override;
   Box3 bounds() const override;

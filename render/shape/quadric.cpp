@@ -1,14 +1,94 @@
 #include "render/shape/quadric.h"
 
 #include "render/math/transform.h"
+#include "render/shape/placed.h"
 #include "render/shape/tolerance.h"
 
-#include <cmath>
+#undef HWY_TARGET_INCLUDE
+#define HWY_TARGET_INCLUDE "render/shape/quadric.cpp"
+#include <hwy/foreach_target.h>
+
+#include "render/shape/lane_shape-inl.h"
+
 #include <algorithm>
+#include <cmath>
 #include <memory>
 
+#ifndef FIRSTLIGHT_RENDER_SHAPE_QUADRIC
+#define FIRSTLIGHT_RENDER_SHAPE_QUADRIC
 namespace firstlight::render {
 namespace {
+
+struct Form {
+  static constexpr std::size_t kSlots = 3;
+  const QuadricParameters& q;
+
+  void meet(const Ray& ray, Met& met) const;
+  bool inside(const Vec3& point, bool inverted) const;
+  void meet_block(const Transform& transform, const RayColumns& rays, std::uint64_t who, const Shape& shape,
+                  Slots& slots) const;
+  std::uint64_t inside_block(const Transform& transform, bool inverted, const Columns3<double>& points,
+                             std::uint64_t who) const;
+};
+
+}  // namespace
+}  // namespace firstlight::render
+#endif
+
+HWY_BEFORE_NAMESPACE();
+namespace firstlight::render {
+namespace HWY_NAMESPACE {
+
+template <class L>
+HWY_INLINE L value(const QuadricParameters& q, const Vec3Of<L>& p) {
+  return p.x * (q.square.x * p.x + q.mixed.x * p.y + q.linear.x) +
+         p.y * (q.square.y * p.y + q.mixed.z * p.z + q.linear.y) +
+         p.z * (q.square.z * p.z + q.mixed.y * p.x + q.linear.z) + q.constant;
+}
+
+template <class L, class Sink>
+HWY_INLINE void meet(const Form& form, const RayOf<L>& ray, const Sink& met) {
+  const QuadricParameters& q = form.q;
+  const auto& [o, d] = ray;
+  const L a = d.x * (q.square.x * d.x + q.mixed.x * d.y + q.mixed.y * d.z) +
+              d.y * (q.square.y * d.y + q.mixed.z * d.z) + d.z * q.square.z * d.z;
+  const L b = d.x * (q.square.x * o.x + 0.5 * (q.mixed.x * o.y + q.mixed.y * o.z + q.linear.x)) +
+              d.y * (q.square.y * o.y + 0.5 * (q.mixed.x * o.x + q.mixed.z * o.z + q.linear.y)) +
+              d.z * (q.square.z * o.z + 0.5 * (q.mixed.y * o.x + q.mixed.z * o.y + q.linear.z));
+  const L c = value(q, o);
+  const auto add = [&](std::size_t k, const L& depth, const MaskOf<L>& may) HWY_ATTR {
+    met(k, depth, may & (depth > kNearestCrossing) & (depth < kMaxDistance));
+  };
+  const auto linear = a == 0.0;
+  const auto once = linear & (b != 0.0);
+  if (any(once)) add(0, -0.5 * c / b, once);
+  const L discriminant = b * b - a * c;
+  const auto twice = without(discriminant > 0.0, linear);
+  if (!any(twice)) return;
+  const L root = sqrt(discriminant);
+  add(1, (-b + root) / a, twice);
+  add(2, (-b - root) / a, twice);
+}
+
+template <class L>
+HWY_INLINE MaskOf<L> inside(const Form& form, const Vec3Of<L>& p, bool inverted) {
+  const L v = value(form.q, p);
+  return inverted ? v >= 0.0 : v <= 0.0;
+}
+
+FIRSTLIGHT_MEET_KERNEL(Form)
+FIRSTLIGHT_INSIDE_KERNEL(Form)
+
+}  // namespace HWY_NAMESPACE
+}  // namespace firstlight::render
+HWY_AFTER_NAMESPACE();
+
+#if HWY_ONCE
+namespace firstlight::render {
+namespace {
+
+FIRSTLIGHT_MEET_MEMBERS(Form)
+FIRSTLIGHT_INSIDE_MEMBERS(Form)
 
 /// Where a box ends that POV-Ray takes for one without end.
 constexpr double kLongest = 1e6;
@@ -83,28 +163,17 @@ class Quadric final : public Shape {
   Quadric(const QuadricParameters& q, const Box3& box, bool inverted) : q_(q), box_(box), inverted_(inverted) {}
 
   void crossings(const Ray& ray, std::vector<Crossing>& out) const override {
-    const Vec3& d = ray.direction;
-    const Vec3& o = ray.origin;
-    const double a = d.x * (q_.square.x * d.x + q_.mixed.x * d.y + q_.mixed.y * d.z) +
-                     d.y * (q_.square.y * d.y + q_.mixed.z * d.z) + d.z * q_.square.z * d.z;
-    const double b = d.x * (q_.square.x * o.x + 0.5 * (q_.mixed.x * o.y + q_.mixed.y * o.z + q_.linear.x)) +
-                     d.y * (q_.square.y * o.y + 0.5 * (q_.mixed.x * o.x + q_.mixed.z * o.z + q_.linear.y)) +
-                     d.z * (q_.square.z * o.z + 0.5 * (q_.mixed.y * o.x + q_.mixed.z * o.y + q_.linear.z));
-    const double c = value(o);
-    const auto add = [&](double depth) {
-      if (depth > kNearestCrossing && depth < kMaxDistance) out.push_back({depth, this, 0, 0, {}});
-    };
-    if (a == 0.0) {
-      if (b != 0.0) add(-0.5 * c / b);
-      return;
-    }
-    const double discriminant = b * b - a * c;
-    if (!(discriminant > 0.0)) return;
-    const double root = std::sqrt(discriminant);
-    add((-b + root) / a);
-    add((-b - root) / a);
+    Met met(*this, out);
+    Form{q_}.meet(ray, met);
   }
-  bool inside(const Vec3& point) const override { return inverted_ ? value(point) >= 0.0 : value(point) <= 0.0; }
+  bool inside(const Vec3& point) const override { return Form{q_}.inside(point, inverted_); }
+  void meet_block(const RayColumns& rays, std::uint64_t who, const DepthWindow*, Slots& slots) const override {
+    Form{q_}.meet_block(Transform(), rays, who, *this, slots);
+  }
+  std::uint64_t inside_block(const Columns3<double>& points, std::uint64_t who) const override {
+    return Form{q_}.inside_block(Transform(), inverted_, points, who);
+  }
+  bool is_over_lanes() const override { return true; }
   Vec3 normal(const Vec3& p, const Crossing&) const override {
     const Vec3 n(2.0 * q_.square.x * p.x + q_.mixed.x * p.y + q_.mixed.y * p.z + q_.linear.x,
                  q_.mixed.x * p.x + 2.0 * q_.square.y * p.y + q_.mixed.z * p.z + q_.linear.y,
@@ -124,11 +193,6 @@ class Quadric final : public Shape {
   ShapePtr inverted() const override { return std::make_shared<Quadric>(q_, box_, !inverted_); }
 
  private:
-  double value(const Vec3& p) const {
-    return p.x * (q_.square.x * p.x + q_.mixed.x * p.y + q_.linear.x) +
-           p.y * (q_.square.y * p.y + q_.mixed.z * p.z + q_.linear.y) +
-           p.z * (q_.square.z * p.z + q_.mixed.y * p.x + q_.linear.z) + q_.constant;
-  }
   /// Whether what is inside, or else what is outside, lies within the box.
   bool holds_box() const { return q_.square.x + q_.square.y + q_.square.z > 0.0; }
 
@@ -147,3 +211,4 @@ ShapePtr make_quadric(const QuadricParameters& parameters) {
 }
 
 }  // namespace firstlight::render
+#endif

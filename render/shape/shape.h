@@ -1,7 +1,7 @@
 #pragma once
 
 #include "render/math/bounds.h"
-#include "render/math/columns.h"
+#include "render/math/ray_columns.h"
 #include "render/math/transform.h"
 #include "render/math/vec.h"
 
@@ -14,6 +14,7 @@
 namespace firstlight::render {
 
 class Shape;
+class Slots;
 
 /// One point where a ray passes through a surface.
 struct Crossing {
@@ -56,6 +57,14 @@ class Shape {
   }
   /// Whether `point` is in the solid. An `inverse` shape is the complement.
   virtual bool inside(const Vec3& point) const = 0;
+  /// Adds slots with what crossings() tells of those rays of a block whose bits are in `who`; or, if the window is given,
+  /// with what nearest() tells of them. When there is no room for a slot, the rest is left out.
+  virtual void meet_block(const RayColumns& rays, std::uint64_t who, const DepthWindow* nearest_only,
+                          Slots& slots) const;
+  /// Of the points whose bits are in `who`, the bits of those that are in the solid.
+  virtual std::uint64_t inside_block(const Columns3<double>& points, std::uint64_t who) const;
+  /// Whether the two work on many rays and points at once, and not on one after the other.
+  virtual bool is_over_lanes() const { return false; }
   /// Unit outward normal at a crossing that this shape reported. Inverted shapes point inwards.
   virtual Vec3 normal(const Vec3& point, const Crossing& crossing) const = 0;
   /// The same at the points `first` to `end`, at each of which its crossing was reported.

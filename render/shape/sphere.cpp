@@ -2,34 +2,53 @@
 
 #include "render/shape/placed.h"
 #include "render/shape/primitives.h"
+#include "render/shape/tolerance.h"
+
+#undef HWY_TARGET_INCLUDE
+#define HWY_TARGET_INCLUDE "render/shape/sphere.cpp"
+#include <hwy/foreach_target.h>
+
+#include "render/shape/lane_shape-inl.h"
 
 #include <algorithm>
+#include <cmath>
 #include <numbers>
 
+#ifndef FIRSTLIGHT_RENDER_SHAPE_SPHERE
+#define FIRSTLIGHT_RENDER_SHAPE_SPHERE
 namespace firstlight::render {
 namespace {
 
-Box3 sphere_box(const Vec3& center, double radius) { return Box3(center - Vec3(radius), center + Vec3(radius)); }
+inline Box3 sphere_box(const Vec3& center, double radius) { return Box3(center - Vec3(radius), center + Vec3(radius)); }
+
+/// Met by rays with directions of unit length.
+struct Ball {
+  static constexpr std::size_t kSlots = 2;
+  Vec3 center;
+  double radius_squared;
+
+  void meet(const Ray& ray, Met& met) const;
+  bool inside(const Vec3& point, bool inverted) const;
+  void meet_block(const Transform& transform, const RayColumns& rays, std::uint64_t who, const Shape& shape,
+                  Slots& slots) const;
+  std::uint64_t inside_block(const Transform& transform, bool inverted, const Columns3<double>& points,
+                             std::uint64_t who) const;
+};
 
 /// The sphere that an ellipsoid is before its transformation. Depth limits hold in this space, as in POV-Ray.
 struct EllipsoidBase {
   static constexpr bool kAsksBox = false;
+  static constexpr std::size_t kSlots = 2;
   Vec3 center;
   double radius;
   Transform turned = {};  ///< before its transformation: Sphere's
 
-  void meet(const Ray& given, Met& met) const {
-    const auto [length, ray] = UnitRay(given);
-    double enters;
-    double leaves;
-    if (!meet_sphere(ray, center, radius * radius, enters, leaves)) return;
-    if (sphere_depth_counts(enters)) met.add(enters / length);
-    if (sphere_depth_counts(leaves)) met.add(leaves / length);
-  }
-  bool inside(const Vec3& point, bool inverted) const {
-    const double distance_squared = (center - point).length2();
-    return inverted ? distance_squared > radius * radius : distance_squared < radius * radius;
-  }
+  void meet(const Ray& ray, Met& met) const;
+  bool inside(const Vec3& point, bool inverted) const;
+  void meet_block(const Transform& transform, const RayColumns& rays, std::uint64_t who, const Shape& shape,
+                  Slots& slots) const;
+  std::uint64_t inside_block(const Transform& transform, bool inverted, const Columns3<double>& points,
+                             std::uint64_t who) const;
   Vec3 normal(const Vec3& point, const Crossing&) const { return point - center; }
   Vec2 uv(const Vec3& point, const Crossing&) const {
     const Vec3 from_center = point - center;
@@ -38,6 +57,85 @@ struct EllipsoidBase {
   Box3 bounds() const { return sphere_box(center, std::abs(radius)); }
   Box3 inside_bounds() const { return bounds(); }
 };
+
+}  // namespace
+}  // namespace firstlight::render
+#endif
+
+HWY_BEFORE_NAMESPACE();
+namespace firstlight::render {
+namespace HWY_NAMESPACE {
+
+/// Where rays with directions of unit length pass through a sphere.
+template <class L>
+struct ThroughSphere {
+  MaskOf<L> met;
+  L enters, leaves;
+};
+
+template <class L>
+HWY_INLINE ThroughSphere<L> through_sphere(const RayOf<L>& ray, const Vec3& center, double radius_squared) {
+  const Vec3Of<L> to_center = everywhere<L>(center) - ray.origin;
+  const L distance_squared = dot(to_center, to_center);
+  const L closest_approach = dot(to_center, ray.direction);
+  const L half_chord_squared = radius_squared - distance_squared + closest_approach * closest_approach;
+  const auto behind = (distance_squared >= radius_squared) & (closest_approach < kEpsilon);
+  const L half_chord = sqrt(half_chord_squared);
+  return {without(half_chord_squared > kEpsilon, behind), closest_approach - half_chord, closest_approach + half_chord};
+}
+
+template <class L>
+HWY_INLINE MaskOf<L> depth_counts(const L& depth) {
+  return (depth > kNearestCrossing) & (depth < kMaxDistance);
+}
+
+template <class L>
+HWY_INLINE MaskOf<L> inside_sphere(const Vec3& center, double radius_squared, const Vec3Of<L>& p, bool inverted) {
+  const Vec3Of<L> to_center = everywhere<L>(center) - p;
+  const L distance_squared = dot(to_center, to_center);
+  return inverted ? distance_squared > radius_squared : distance_squared < radius_squared;
+}
+
+template <class L, class Sink>
+HWY_INLINE void meet(const Ball& ball, const RayOf<L>& ray, const Sink& met) {
+  const ThroughSphere<L> through = through_sphere(ray, ball.center, ball.radius_squared);
+  met(0, through.enters, through.met & depth_counts(through.enters));
+  met(1, through.leaves, through.met & depth_counts(through.leaves));
+}
+template <class L>
+HWY_INLINE MaskOf<L> inside(const Ball& ball, const Vec3Of<L>& p, bool inverted) {
+  return inside_sphere(ball.center, ball.radius_squared, p, inverted);
+}
+
+template <class L, class Sink>
+HWY_INLINE void meet(const EllipsoidBase& base, const RayOf<L>& ray, const Sink& met) {
+  const UnitRayOf<L> given = unit_ray(ray);
+  const ThroughSphere<L> through = through_sphere(given.ray, base.center, base.radius * base.radius);
+  met(0, through.enters / given.length, through.met & depth_counts(through.enters));
+  met(1, through.leaves / given.length, through.met & depth_counts(through.leaves));
+}
+template <class L>
+HWY_INLINE MaskOf<L> inside(const EllipsoidBase& base, const Vec3Of<L>& p, bool inverted) {
+  return inside_sphere(base.center, base.radius * base.radius, p, inverted);
+}
+
+FIRSTLIGHT_MEET_KERNEL(Ball)
+FIRSTLIGHT_INSIDE_KERNEL(Ball)
+FIRSTLIGHT_MEET_KERNEL(EllipsoidBase)
+FIRSTLIGHT_INSIDE_KERNEL(EllipsoidBase)
+
+}  // namespace HWY_NAMESPACE
+}  // namespace firstlight::render
+HWY_AFTER_NAMESPACE();
+
+#if HWY_ONCE
+namespace firstlight::render {
+namespace {
+
+FIRSTLIGHT_MEET_MEMBERS(Ball)
+FIRSTLIGHT_INSIDE_MEMBERS(Ball)
+FIRSTLIGHT_MEET_MEMBERS(EllipsoidBase)
+FIRSTLIGHT_INSIDE_MEMBERS(EllipsoidBase)
 
 /// The factor by which `m` scales all directions alike, or 0 when it does not.
 double similarity_factor(const Mat4& m) {
@@ -55,6 +153,14 @@ double similarity_factor(const Mat4& m) {
 
 }  // namespace
 
+bool meet_sphere(const Ray& ray, const Vec3& center, double radius_squared, double& enters, double& leaves) {
+  const HWY_NAMESPACE::RayOf<One> one{HWY_NAMESPACE::everywhere<One>(ray.origin), HWY_NAMESPACE::everywhere<One>(ray.direction)};
+  const auto through = HWY_NAMESPACE::through_sphere(one, center, radius_squared);
+  enters = through.enters.v;
+  leaves = through.leaves.v;
+  return through.met.holds;
+}
+
 Vec2 sphere_uv(const Vec3& from_center) {
   const double length = from_center.length();
   if (length == 0.0) return Vec2(0.0);
@@ -71,16 +177,18 @@ Sphere::Sphere(const Vec3& center, double radius, bool inverted, const Transform
     : center_(center), radius_(radius), inverted_(inverted), turned_(turned) {}
 
 void Sphere::crossings(const Ray& ray, std::vector<Crossing>& out) const {
-  double enters;
-  double leaves;
-  if (!meet_sphere(ray, center_, radius_squared(), enters, leaves)) return;
-  if (sphere_depth_counts(enters)) out.push_back({enters, this, 0, 0});
-  if (sphere_depth_counts(leaves)) out.push_back({leaves, this, 0, 0});
+  Met met(*this, out);
+  Ball{center_, radius_squared()}.meet(ray, met);
 }
 
-bool Sphere::inside(const Vec3& point) const {
-  const double distance_squared = (center_ - point).length2();
-  return inverted_ ? distance_squared > radius_squared() : distance_squared < radius_squared();
+bool Sphere::inside(const Vec3& point) const { return Ball{center_, radius_squared()}.inside(point, inverted_); }
+
+void Sphere::meet_block(const RayColumns& rays, std::uint64_t who, const DepthWindow*, Slots& slots) const {
+  Ball{center_, radius_squared()}.meet_block(Transform(), rays, who, *this, slots);
+}
+
+std::uint64_t Sphere::inside_block(const Columns3<double>& points, std::uint64_t who) const {
+  return Ball{center_, radius_squared()}.inside_block(Transform(), inverted_, points, who);
 }
 
 Vec3 Sphere::normal(const Vec3& point, const Crossing&) const {
@@ -131,3 +239,4 @@ ShapePtr Sphere::inverted() const { return std::make_shared<Sphere>(center_, rad
 ShapePtr make_sphere(const Vec3& center, double radius) { return std::make_shared<Sphere>(center, radius, false); }
 
 }  // namespace firstlight::render
+#endif

@@ -1,29 +1,14 @@
 #pragma once
 
 #include "render/shape/shape.h"
-#include "render/shape/tolerance.h"
 
-#include <cmath>
+#include <cstdint>
 
 namespace firstlight::render {
 
 /// Where a ray with a direction of unit length passes through a sphere.
 /// Source   POV-Ray 3.7: grazing rays whose half chord squared is below 1e-10 miss.
-inline bool meet_sphere(const Ray& ray, const Vec3& center, double radius_squared, double& enters, double& leaves) {
-  const Vec3 to_center = center - ray.origin;
-  const double distance_squared = to_center.dot(to_center);
-  const double closest_approach = to_center.dot(ray.direction);
-  if (distance_squared >= radius_squared && closest_approach < kEpsilon) return false;
-  const double half_chord_squared = radius_squared - distance_squared + closest_approach * closest_approach;
-  if (!(half_chord_squared > kEpsilon)) return false;
-  const double half_chord = std::sqrt(half_chord_squared);
-  enters = closest_approach - half_chord;
-  leaves = closest_approach + half_chord;
-  return true;
-}
-
-/// Whether a sphere's crossing at this depth counts.
-inline bool sphere_depth_counts(double depth) { return depth > kNearestCrossing && depth < kMaxDistance; }
+bool meet_sphere(const Ray& ray, const Vec3& center, double radius_squared, double& enters, double& leaves);
 
 /// Longitude and latitude of a direction from a sphere's middle, both from 0 to 1. [POV-Ray 3.7]
 Vec2 sphere_uv(const Vec3& from_center);
@@ -38,6 +23,10 @@ class Sphere final : public Shape {
 
   void crossings(const Ray& ray, std::vector<Crossing>& out) const override;
   bool inside(const Vec3& point) const override;
+  void meet_block(const RayColumns& rays, std::uint64_t who, const DepthWindow* nearest_only,
+                  Slots& slots) const override;
+  std::uint64_t inside_block(const Columns3<double>& points, std::uint64_t who) const override;
+  bool is_over_lanes() const override { return true; }
   Vec3 normal(const Vec3& point, const Crossing& crossing) const override;
   void normals(const SurfacePlaces& places, std::size_t first, std::size_t end, Columns3<double>& out) const override;
   Vec2 uv(const Vec3& point, const Crossing& crossing) const override;

@@ -4,10 +4,56 @@
 #include "render/shape/primitives.h"
 #include "render/shape/tolerance.h"
 
+#undef HWY_TARGET_INCLUDE
+#define HWY_TARGET_INCLUDE "render/shape/triangle.cpp"
+#include <hwy/foreach_target.h>
+
+#include "render/shape/lane_shape-inl.h"
+
 #include <cmath>
 #include <utility>
 
+HWY_BEFORE_NAMESPACE();
 namespace firstlight::render {
+namespace HWY_NAMESPACE {
+
+template <class L>
+HWY_INLINE const L& component(const Vec3Of<L>& p, int axis) {
+  return axis == 0 ? p.x : axis == 1 ? p.y : p.z;
+}
+
+/// Whether a point of the projection is outside of the edge: twice the signed area between both is negative.
+template <class L>
+HWY_INLINE MaskOf<L> beyond_edge(const FlatTriangle& flat, std::size_t from, std::size_t to, const L& u, const L& v) {
+  const Vec3& a = flat.corners()[from];
+  const Vec3& b = flat.corners()[to];
+  return (b[flat.u()] - u) * (b[flat.v()] - a[flat.v()]) - (b[flat.v()] - v) * (b[flat.u()] - a[flat.u()]) < 0.0;
+}
+
+template <class L, class Sink>
+HWY_INLINE void meet(const FlatTriangle& flat, const RayOf<L>& ray, const Sink& met) {
+  const auto normal = everywhere<L>(flat.normal());
+  const L approach = dot(normal, ray.direction);
+  const L depth = -(flat.offset() + dot(normal, ray.origin)) / approach;
+  const auto counts = (abs(approach) >= kEpsilon) & (depth >= kNearestCrossing) & (depth <= kMaxDistance);
+  if (!any(counts)) return;
+  const L u = component(ray.origin, flat.u()) + depth * component(ray.direction, flat.u());
+  const L v = component(ray.origin, flat.v()) + depth * component(ray.direction, flat.v());
+  const auto outside = beyond_edge(flat, 0, 1, u, v) | beyond_edge(flat, 1, 2, u, v) | beyond_edge(flat, 2, 0, u, v);
+  met(0, depth, without(counts, outside));
+}
+
+FIRSTLIGHT_MEET_KERNEL(FlatTriangle)
+
+}  // namespace HWY_NAMESPACE
+}  // namespace firstlight::render
+HWY_AFTER_NAMESPACE();
+
+#if HWY_ONCE
+namespace firstlight::render {
+
+FIRSTLIGHT_MEET_MEMBERS(FlatTriangle)
+
 namespace {
 
 /// On all sides of the box about a triangle, which scenes may ask for. [POV-Ray 3.7]
@@ -19,10 +65,15 @@ class Triangle final : public Shape {
   explicit Triangle(const FlatTriangle& flat) : flat_(flat) {}
 
   void crossings(const Ray& ray, std::vector<Crossing>& out) const override {
-    const double depth = flat_.meet(ray);
-    if (depth > 0.0) out.push_back({depth, this, 0, 0});
+    Met met(*this, out);
+    if (flat_.valid()) flat_.meet(ray, met);
+  }
+  void meet_block(const RayColumns& rays, std::uint64_t who, const DepthWindow*, Slots& slots) const override {
+    if (flat_.valid()) flat_.meet_block(Transform(), rays, who, *this, slots);
   }
   bool inside(const Vec3&) const override { return false; }
+  std::uint64_t inside_block(const Columns3<double>&, std::uint64_t) const override { return 0; }
+  bool is_over_lanes() const override { return true; }
   Vec3 normal(const Vec3&, const Crossing&) const override { return flat_.normal(); }
   Box3 bounds() const override { return flat_.bounds(); }
   Box3 inside_bounds() const override { return flat_.bounds(); }
@@ -50,11 +101,15 @@ class SmoothTriangle final : public Shape {
 
   bool valid() const { return valid_; }
   void crossings(const Ray& ray, std::vector<Crossing>& out) const override {
-    if (!valid_) return;
-    const double depth = flat_.meet(ray);
-    if (depth > 0.0) out.push_back({depth, this, 0, 0});
+    Met met(*this, out);
+    if (valid_) flat_.meet(ray, met);
+  }
+  void meet_block(const RayColumns& rays, std::uint64_t who, const DepthWindow*, Slots& slots) const override {
+    if (valid_) flat_.meet_block(Transform(), rays, who, *this, slots);
   }
   bool inside(const Vec3&) const override { return false; }
+  std::uint64_t inside_block(const Columns3<double>&, std::uint64_t) const override { return 0; }
+  bool is_over_lanes() const override { return true; }
   /// A line from the first corner through the point meets the opposite edge at `v` of its length; the point lies at `u`
   /// of the way there.
   Vec3 normal(const Vec3& point, const Crossing&) const override {
@@ -122,25 +177,6 @@ FlatTriangle::FlatTriangle(const Corners& corners) : corners_(corners) {
   if (swapped_) std::swap(a, b);
 }
 
-/// Twice the signed area between the edge and a point of the projection; negative outside.
-double FlatTriangle::edge_side(std::size_t from, std::size_t to, double u, double v) const {
-  const Vec3& a = corners_[from];
-  const Vec3& b = corners_[to];
-  return (b[u_] - u) * (b[v_] - a[v_]) - (b[v_] - v) * (b[u_] - a[u_]);
-}
-
-double FlatTriangle::meet(const Ray& ray) const {
-  if (!valid_) return -1.0;
-  const double approach = normal_.dot(ray.direction);
-  if (!(std::abs(approach) >= kEpsilon)) return -1.0;
-  const double depth = -(offset_ + normal_.dot(ray.origin)) / approach;
-  if (!(depth >= kNearestCrossing && depth <= kMaxDistance)) return -1.0;
-  const double u = ray.origin[u_] + depth * ray.direction[u_];
-  const double v = ray.origin[v_] + depth * ray.direction[v_];
-  const bool outside = edge_side(0, 1, u, v) < 0.0 || edge_side(1, 2, u, v) < 0.0 || edge_side(2, 0, u, v) < 0.0;
-  return outside ? -1.0 : depth;
-}
-
 Box3 FlatTriangle::bounds() const {
   Box3 box;
   if (!valid_) return box;
@@ -164,3 +200,4 @@ ShapePtr make_smooth_triangle(const Vec3& a, const Vec3& normal_a, const Vec3& b
 }
 
 }  // namespace firstlight::render
+#endif

@@ -1,9 +1,10 @@
 #pragma once
 
-#include "render/shape/shape.h"
+#include "render/shape/placed.h"
 
 #include <array>
 #include <cstddef>
+#include <cstdint>
 
 namespace firstlight::render {
 
@@ -14,6 +15,7 @@ namespace firstlight::render {
 class FlatTriangle {
  public:
   using Corners = std::array<Vec3, 3>;
+  static constexpr std::size_t kSlots = 1;
 
   explicit FlatTriangle(const Corners& corners);
 
@@ -23,13 +25,18 @@ class FlatTriangle {
   const Corners& corners() const { return corners_; }
   bool swapped() const { return swapped_; }
   const Vec3& normal() const { return normal_; }
-  /// The depth of the crossing, or a negative number.
-  double meet(const Ray& ray) const;
+  /// normal . p + offset = 0 in its plane.
+  double offset() const { return offset_; }
+  /// The axes of the projection.
+  int u() const { return u_; }
+  int v() const { return v_; }
+  // Pre: valid.
+  void meet(const Ray& ray, Met& met) const;
+  void meet_block(const Transform& transform, const RayColumns& rays, std::uint64_t who, const Shape& shape,
+                  Slots& slots) const;
   Box3 bounds() const;
 
  private:
-  double edge_side(std::size_t from, std::size_t to, double u, double v) const;
-
   Corners corners_;
   Vec3 normal_{0.0};
   double offset_ = 0.0;

@@ -3,6 +3,7 @@
 #include "render/function/elementary.h"
 #include "render/texture/patterns.h"
 #include "render/texture/warp.h"
+#include "tests/render/shape_list.h"
 
 #include <cstddef>
 #include <functional>
@@ -13,7 +14,7 @@
 
 namespace firstlight::render {
 
-/// Something that runs over lanes: from points to three numbers each.
+/// Something that runs over lanes: from points, or rays from there, to three numbers each.
 struct Kernel {
   std::string name;
   std::function<void(const Columns3<double>& at, std::size_t count, Columns3<double>& results)> run;
@@ -27,6 +28,7 @@ class KernelList {
     add_waves();
     add_warps();
     add_functions();
+    add_shapes();
   }
   const std::vector<Kernel>& kernels() const { return kernels_; }
 
@@ -164,6 +166,30 @@ class KernelList {
                  [operation = operation](const Columns3<double>& at, std::size_t count, Columns3<double>& results) {
                    results = at;
                    evaluate_elementary(operation, results.of[0].at.data(), results.of[1].at.data(), count);
+                 }});
+    }
+  }
+  /// How far each of the crossings of a ray lies, together, how many there are, and whether its origin is inside.
+  void add_shapes() {
+    for (const NamedShape& named : shapes_of_all_kinds()) {
+      if (!named.shape->is_over_lanes()) continue;
+      const ShapePtr shape = named.shape;
+      kernels_.push_back(
+          Kernel{named.name, [shape](const Columns3<double>& at, std::size_t count, Columns3<double>& results) {
+                   const RayColumns rays = rays_from(at, count);
+                   const std::uint64_t all = ~std::uint64_t{0} >> (kRaysAtOnce - count);
+                   Slots& slots = Slots::of_thread();
+                   shape->meet_block(rays, all, nullptr, slots);
+                   const std::uint64_t inside = shape->inside_block(rays.origin, all);
+                   for (std::size_t i = 0; i < count; ++i) {
+                     double depths = 0.0, crossings = 0.0;
+                     for (std::size_t s = 0; s < slots.size(); ++s) {
+                       if ((slots[s].rays >> i & 1) == 0) continue;
+                       depths += slots[s].depth[i];
+                       crossings += 1.0 + slots[s].face_of(i);
+                     }
+                     results.set(i, Vec3(depths, crossings, static_cast<double>(inside >> i & 1)));
+                   }
                  }});
     }
   }

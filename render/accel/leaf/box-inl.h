@@ -11,6 +11,7 @@
 #include "render/accel/leaf/box.h"
 #include "render/accel/leaf/entering-inl.h"
 #include "render/accel/ray_block.h"
+#include "render/shape/box-inl.h"
 
 #include <hwy/highway.h>
 
@@ -20,16 +21,50 @@ namespace HWY_NAMESPACE {
 
 namespace hn = hwy::HWY_NAMESPACE;
 
+/// Where rays of one vector come into the box and leave it.
+struct BoxCrossings {
+  Lanes depth[2];
+  Lanes face[2];
+  LanesMask met[2];
+};
+struct BoxSink {
+  BoxCrossings* crossings;
+
+  HWY_INLINE void operator()(std::size_t k, const Lanes& depth, const LanesMask& met, const Lanes& face) const {
+    crossings->depth[k] = depth;
+    crossings->face[k] = face;
+    crossings->met[k] = met;
+  }
+};
+
 template <class Search>
 HWY_INLINE void meet_leaf(const BoxLeaf& leaf, std::uint64_t who, Search& search) {
   Column<double> from;
   who = entering(leaf.bounds, search.seeing(who, leaf.head), search, from);
-  for (; who != 0; who &= who - 1) {
-    const auto ray = static_cast<std::size_t>(__builtin_ctzll(who));
-    BoxMet met;
-    leaf.box.meet(search.ray(ray), met);
-    // The last first, as crossings of one solid are offered.
-    for (std::size_t m = met.count; m-- > 0;) search.offer(ray, met.depth[m], met.face[m], {}, leaf.head, from[ray]);
+  const RayBlock& rays = search.rays();
+  Column<double> depth, face;
+  std::uint64_t met = 0;
+  for (std::size_t i = 0; i < kRaysAtOnce; i += Lanes::kCount) {
+    const std::uint64_t of_vector = who >> i & kAllLanes;
+    if (of_vector == 0) continue;
+    const LanesMask none = Lanes::first(0);
+    BoxCrossings box{{0.0, 0.0}, {0.0, 0.0}, {none, none}};
+    meet(leaf.box, RayOf<Lanes>{load3<Lanes>(rays.origin, i), load3<Lanes>(rays.direction, i)}, BoxSink{&box});
+    const auto low = load<Lanes>(rays.min_depth, i);
+    const auto entered = load<Lanes>(from, i);
+    const auto limit = load<Lanes>(search.limits(), i);
+    for (std::size_t k = 0; k < 2; ++k) {
+      box.met[k] = box.met[k] & (box.depth[k] > low) & (box.depth[k] >= entered) & (box.depth[k] <= limit);
+    }
+    // Of equal depths the last is seen, as of all crossings of one solid.
+    const auto first = box.met[0] & (!box.met[1] | (box.depth[0] < box.depth[1]));
+    store(select(first, box.depth[0], box.depth[1]), depth, i);
+    store(select(first, box.face[0], box.face[1]), face, i);
+    met |= (bits(box.met[0] | box.met[1]) & of_vector) << i;
+  }
+  for (; met != 0; met &= met - 1) {
+    const auto ray = static_cast<std::size_t>(__builtin_ctzll(met));
+    search.offer(ray, depth[ray], static_cast<std::uint32_t>(face[ray]), {}, leaf.head, from[ray]);
   }
 }
 

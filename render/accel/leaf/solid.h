@@ -14,6 +14,7 @@ struct SolidLeaf {
   FloatBox bounds;
   LeafHead head;
   bool is_cramped;   ///< Solid::is_cramped()
+  bool in_blocks;    ///< Solid::suits_blocks()
   bool only_blocks;  ///< it is met by feelers alone, and only where they ask for what is opaque
 };
 

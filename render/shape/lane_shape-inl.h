@@ -1,0 +1,190 @@
+// How formulas of shapes over a lane type meet blocks of rays, and single ones. Included once for each instruction set, so the
+// guard switches back and forth.
+//
+// A shape's numbers are a struct with `kSlots`, the most crossings that a ray may have. Its formulas are functions beside it:
+//
+//     meet(shape, ray, met)            calls met(k, depth, mask) or met(k, depth, mask, face), with k from 0 to kSlots - 1 each
+//                                      at most once and in this order, for the k-th crossing, which those rays have that are
+//                                      in the mask
+//     inside(shape, point, inverted)   the mask of the points that are in the shape, or in its complement
+#if defined(FIRSTLIGHT_RENDER_SHAPE_LANE_SHAPE_INL_H) == defined(HWY_TARGET_TOGGLE)
+#ifdef FIRSTLIGHT_RENDER_SHAPE_LANE_SHAPE_INL_H
+#undef FIRSTLIGHT_RENDER_SHAPE_LANE_SHAPE_INL_H
+#else
+#define FIRSTLIGHT_RENDER_SHAPE_LANE_SHAPE_INL_H
+#endif
+
+#include "render/lanes/lanes-inl.h"
+#include "render/math/ray_columns.h"
+#include "render/math/transform.h"
+#include "render/shape/placed.h"
+#include "render/shape/slots.h"
+#include "render/shape/tolerance.h"
+
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+
+HWY_BEFORE_NAMESPACE();
+namespace firstlight::render {
+namespace HWY_NAMESPACE {
+
+template <class L>
+struct RayOf {
+  Vec3Of<L> origin, direction;
+};
+
+/// The same rays with directions of unit length; depths along them are `length` times as long. Directions are multiplied by
+/// the reciprocal, as POV-Ray does: surfaces that coincide are then decided by the same rounding.
+template <class L>
+struct UnitRayOf {
+  L length;
+  RayOf<L> ray;
+};
+
+/// The length of vectors whose squares are too small for a double.
+template <class L>
+HWY_NOINLINE L tiny_length(const Vec3Of<L>& v) {
+  const L largest = max(max(abs(v.x), abs(v.y)), abs(v.z));
+  const Vec3Of<L> shape = v / largest;
+  return select(largest == 0.0, L(0.0), largest * sqrt(dot(shape, shape)));
+}
+
+template <class L>
+HWY_INLINE UnitRayOf<L> unit_ray(const RayOf<L>& given) {
+  const L square = dot(given.direction, given.direction);
+  const auto tiny = square < 2.0 * std::numeric_limits<double>::min();
+  L length = sqrt(square);
+  if (any(tiny)) length = select(tiny, tiny_length(given.direction), length);
+  return {length, {given.origin, given.direction * (1.0 / length)}};
+}
+
+/// v as a direction, and p as a point, times the matrix; sums as in Transform.
+template <class L>
+HWY_INLINE Vec3Of<L> direction_times(const Vec3Of<L>& v, const Mat4& m) {
+  return {v.x * m[0][0] + v.y * m[1][0] + v.z * m[2][0], v.x * m[0][1] + v.y * m[1][1] + v.z * m[2][1],
+          v.x * m[0][2] + v.y * m[1][2] + v.z * m[2][2]};
+}
+template <class L>
+HWY_INLINE Vec3Of<L> point_times(const Vec3Of<L>& p, const Mat4& m) {
+  return {p.x * m[0][0] + p.y * m[1][0] + p.z * m[2][0] + m[3][0],
+          p.x * m[0][1] + p.y * m[1][1] + p.z * m[2][1] + m[3][1],
+          p.x * m[0][2] + p.y * m[1][2] + p.z * m[2][2] + m[3][2]};
+}
+
+/// Takes the crossings of some rays of a block.
+struct SlotSink {
+  Slot* const* slots;
+  std::size_t at;  ///< where the rays stand in the block
+  std::uint64_t of_vector;
+
+  HWY_INLINE void operator()(std::size_t k, const Lanes& depth, const LanesMask& met, std::uint32_t face = 0) const {
+    Slot& slot = *slots[k];
+    store(depth, slot.depth, at);
+    slot.rays |= (bits(met) & of_vector) << at;
+    slot.face = face;
+  }
+  HWY_INLINE void operator()(std::size_t k, const Lanes& depth, const LanesMask& met, const Lanes& face) const {
+    operator()(k, depth, met);
+    slots[k]->has_faces = true;
+    store(face, slots[k]->own_details().face, at);
+  }
+};
+
+/// Those of a single ray, for a list with add(depth, face).
+template <class List>
+struct ListSink {
+  List& list;
+
+  void operator()(std::size_t, One depth, OneMask met, std::uint32_t face = 0) const {
+    if (met.holds) list.add(depth.v, face);
+  }
+  void operator()(std::size_t, One depth, OneMask met, One face) const {
+    if (met.holds) list.add(depth.v, static_cast<std::uint32_t>(face.v));
+  }
+};
+
+/// `shape` meets the rays in `who`, seen from the space before the transformation.
+template <class Formula>
+HWY_INLINE void meet_rays(const Formula& formula, const Transform& transform, const RayColumns& rays, std::uint64_t who,
+                          const Shape& shape, Slots& slots) {
+  const std::size_t first = slots.size();
+  Slot* own[Formula::kSlots];
+  for (Slot*& slot : own) {
+    slot = slots.add(shape);
+    if (slot == nullptr) return slots.cut(first);
+  }
+  const bool placed = !transform.is_identity();
+  const Mat4& back = transform.inverse_matrix();
+  for (std::size_t i = 0; i < kRaysAtOnce; i += Lanes::kCount) {
+    const std::uint64_t of_vector = who >> i & kAllLanes;
+    if (of_vector == 0) continue;
+    RayOf<Lanes> ray{load3<Lanes>(rays.origin, i), load3<Lanes>(rays.direction, i)};
+    if (placed) ray = {point_times(ray.origin, back), direction_times(ray.direction, back)};
+    meet(formula, ray, SlotSink{own, i, of_vector});
+  }
+  slots.drop_empty(first);
+}
+
+template <class Formula>
+HWY_INLINE std::uint64_t points_inside(const Formula& formula, const Transform& transform, bool inverted,
+                                       const Columns3<double>& points, std::uint64_t who) {
+  const bool placed = !transform.is_identity();
+  const Mat4& back = transform.inverse_matrix();
+  std::uint64_t holding = 0;
+  for (std::size_t i = 0; i < kRaysAtOnce; i += Lanes::kCount) {
+    const std::uint64_t of_vector = who >> i & kAllLanes;
+    if (of_vector == 0) continue;
+    auto p = load3<Lanes>(points, i);
+    if (placed) p = point_times(p, back);
+    holding |= (bits(inside(formula, p, inverted)) & of_vector) << i;
+  }
+  return holding;
+}
+
+/// Appends the crossings of one ray to the list.
+template <class Formula, class List>
+void meet_one(const Formula& formula, const Ray& ray, List& list) {
+  meet(formula, RayOf<One>{everywhere<One>(ray.origin), everywhere<One>(ray.direction)}, ListSink<List>{list});
+}
+template <class Formula>
+bool is_inside(const Formula& formula, const Vec3& point, bool inverted) {
+  return inside(formula, everywhere<One>(point), inverted).holds;
+}
+
+}  // namespace HWY_NAMESPACE
+}  // namespace firstlight::render
+HWY_AFTER_NAMESPACE();
+
+// What the formulas of a struct are for others. Of each pair the first stands in HWY_NAMESPACE, the second behind HWY_ONCE,
+// where it defines those members of the struct that render/shape/placed.h tells of.
+
+#define FIRSTLIGHT_MEET_KERNEL(Formula)                                                                                \
+  void meet_##Formula(const Formula& formula, const Transform& transform, const RayColumns& rays, std::uint64_t who,  \
+                      const Shape& shape, Slots& slots) {                                                             \
+    meet_rays(formula, transform, rays, who, shape, slots);                                                           \
+  }
+#define FIRSTLIGHT_MEET_MEMBERS(Formula)                                                                               \
+  HWY_EXPORT(meet_##Formula);                                                                                         \
+  void Formula::meet_block(const Transform& transform, const RayColumns& rays, std::uint64_t who, const Shape& shape, \
+                           Slots& slots) const {                                                                      \
+    HWY_DYNAMIC_DISPATCH(meet_##Formula)(*this, transform, rays, who, shape, slots);                                  \
+  }                                                                                                                   \
+  void Formula::meet(const Ray& ray, Met& met) const { HWY_NAMESPACE::meet_one(*this, ray, met); }
+
+#define FIRSTLIGHT_INSIDE_KERNEL(Formula)                                                                              \
+  std::uint64_t inside_##Formula(const Formula& formula, const Transform& transform, bool inverted,                   \
+                                 const Columns3<double>& points, std::uint64_t who) {                                 \
+    return points_inside(formula, transform, inverted, points, who);                                                  \
+  }
+#define FIRSTLIGHT_INSIDE_MEMBERS(Formula)                                                                             \
+  HWY_EXPORT(inside_##Formula);                                                                                       \
+  std::uint64_t Formula::inside_block(const Transform& transform, bool inverted, const Columns3<double>& points,      \
+                                      std::uint64_t who) const {                                                      \
+    return HWY_DYNAMIC_DISPATCH(inside_##Formula)(*this, transform, inverted, points, who);                           \
+  }                                                                                                                   \
+  bool Formula::inside(const Vec3& point, bool inverted) const {                                                      \
+    return HWY_NAMESPACE::is_inside(*this, point, inverted);                                                          \
+  }
+
+#endif

@@ -1,0 +1,86 @@
+#include "render/shape/slots.h"
+
+#undef HWY_TARGET_INCLUDE
+#define HWY_TARGET_INCLUDE "render/shape/slots.cpp"
+#include <hwy/foreach_target.h>
+
+#include "render/lanes/lanes-inl.h"
+
+#include <algorithm>
+#include <limits>
+#include <utility>
+
+HWY_BEFORE_NAMESPACE();
+namespace firstlight::render {
+namespace HWY_NAMESPACE {
+
+void nearest_in_slots(const Slots& slots, std::size_t first, std::uint64_t who, const DepthWindow& window,
+                      NearestCrossings& nearest) {
+  nearest.rays = 0;
+  for (std::size_t i = 0; i < kRaysAtOnce; i += Lanes::kCount) {
+    const std::uint64_t of_vector = who >> i & kAllLanes;
+    if (of_vector == 0) continue;
+    const auto low = load<Lanes>(window.low, i);
+    auto best = load<Lanes>(window.high, i);
+    Lanes slot = -1.0;
+    for (std::size_t s = first; s < slots.size(); ++s) {
+      const std::uint64_t has = slots[s].rays >> i & of_vector;
+      if (has == 0) continue;
+      const auto depth = load<Lanes>(slots[s].depth, i);
+      const auto nearer = Lanes::mask_of(static_cast<unsigned>(has)) & (depth > low) & (depth <= best);
+      best = select(nearer, depth, best);
+      slot = select(nearer, Lanes(static_cast<double>(s)), slot);
+    }
+    store(best, nearest.depth, i);
+    store(slot, nearest.slot, i);
+    nearest.rays |= (bits(slot >= 0.0) & of_vector) << i;
+  }
+}
+
+}  // namespace HWY_NAMESPACE
+}  // namespace firstlight::render
+HWY_AFTER_NAMESPACE();
+
+#if HWY_ONCE
+namespace firstlight::render {
+
+HWY_EXPORT(nearest_in_slots);
+
+void find_nearest(const Slots& slots, std::size_t first, std::uint64_t who, const DepthWindow& window,
+                  NearestCrossings& nearest) {
+  HWY_DYNAMIC_DISPATCH(nearest_in_slots)(slots, first, who, window, nearest);
+}
+
+Slots& Slots::of_thread() {
+  thread_local Slots slots;
+  slots.clear();
+  return slots;
+}
+
+Slot* Slots::add(const Shape& shape) {
+  if (size_ == kMost) {
+    overflowed_ = true;
+    return nullptr;
+  }
+  if (size_ == slots_.size()) slots_.push_back(std::make_unique<Slot>());
+  Slot& slot = *slots_[size_++];
+  slot.begin(shape);
+  return &slot;
+}
+
+void Slots::drop_empty(std::size_t first) {
+  std::size_t kept = first;
+  for (std::size_t s = first; s < size_; ++s) {
+    if (slots_[s]->rays == 0) continue;
+    if (s != kept) std::swap(slots_[s], slots_[kept]);
+    ++kept;
+  }
+  size_ = kept;
+}
+
+void Slots::turn_around(std::size_t first) {
+  std::reverse(slots_.begin() + static_cast<std::ptrdiff_t>(first), slots_.begin() + static_cast<std::ptrdiff_t>(size_));
+}
+
+}  // namespace firstlight::render
+#endif

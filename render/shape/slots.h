@@ -1,0 +1,104 @@
+#pragma once
+
+#include "render/math/ray_columns.h"
+#include "render/shape/shape.h"
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <vector>
+
+namespace firstlight::render {
+
+/// Crossings of the rays of a block with one shape: at most one of each ray.
+struct Slot {
+  /// What not all of its crossings have in common.
+  struct Details {
+    Column<double> face;
+    std::array<Column<double>, 2> place;
+  };
+
+  Column<double> depth;
+  std::uint64_t rays;      ///< bits of those that have a crossing here
+  std::uint64_t chosen;    ///< of them, those whose crossing here is being looked at
+  const Shape* shape;
+  std::uint32_t part;
+  std::uint32_t face;      ///< of all, unless each has its own
+  bool has_faces;          ///< each crossing has its own face
+  bool has_places;         ///< and place
+  std::unique_ptr<Details> details;
+
+  /// Begins without rays.
+  void begin(const Shape& of) {
+    rays = 0;
+    shape = &of;
+    part = 0;
+    face = 0;
+    has_faces = has_places = false;
+  }
+  Details& own_details() {
+    if (!details) details = std::make_unique<Details>();
+    return *details;
+  }
+  std::uint32_t face_of(std::size_t ray) const {
+    return has_faces ? static_cast<std::uint32_t>(details->face[ray]) : face;
+  }
+  std::array<double, 2> place_of(std::size_t ray) const {
+    if (!has_places) return {};
+    return {details->place[0][ray], details->place[1][ray]};
+  }
+};
+
+/// The crossings of a block of rays. Those of one ray, slot after slot, are its list of crossings as one ray alone has it.
+///
+/// Memory   Half a kilobyte a slot, kept for the next block.
+/// Threads  One has one.
+class Slots {
+ public:
+  /// A block that needs more is met ray by ray.
+  static constexpr std::size_t kMost = 1024;
+
+  /// That of the calling thread, with no slots. What is asked with it must not ask for it again.
+  static Slots& of_thread();
+
+  std::size_t size() const { return size_; }
+  Slot& operator[](std::size_t i) { return *slots_[i]; }
+  const Slot& operator[](std::size_t i) const { return *slots_[i]; }
+  /// Whether a slot was wanted for which there was no room.
+  bool overflowed() const { return overflowed_; }
+
+  /// One more, without rays; null if there is no room.
+  Slot* add(const Shape& shape);
+  /// From slot `first` on those that no ray has a crossing in are taken back.
+  void drop_empty(std::size_t first);
+  /// The order of the slots from `first` on is turned around.
+  void turn_around(std::size_t first);
+  /// Only the first `size` are kept.
+  void cut(std::size_t size) { size_ = size; }
+  void clear() {
+    size_ = 0;
+    overflowed_ = false;
+  }
+
+ private:
+  std::vector<std::unique_ptr<Slot>> slots_;  // beyond size_: to be used again
+  std::size_t size_ = 0;
+  bool overflowed_ = false;
+};
+
+/// The nearest crossing of each ray of a block.
+struct NearestCrossings {
+  std::uint64_t rays = 0;  ///< bits of those that have one
+  Column<double> depth;
+  Column<double> slot;  ///< its number
+
+  std::size_t slot_of(std::size_t ray) const { return static_cast<std::size_t>(slot[ray]); }
+};
+
+/// Of the crossings in the slots from `first` on, the nearest of each ray in `who` within the window; of equal depths the
+/// last.
+void find_nearest(const Slots& slots, std::size_t first, std::uint64_t who, const DepthWindow& window,
+                  NearestCrossings& nearest);
+
+}  // namespace firstlight::render
