@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # Runs every test: the release build with all of them (unit tests, and POV-Ray as the reference), then the unit tests
-# again under AddressSanitizer + UndefinedBehaviorSanitizer, with a minute of random scenes for the parser, and those
-# of what has threads under ThreadSanitizer. Needs no display.
+# again under AddressSanitizer + UndefinedBehaviorSanitizer, with a minute of random scenes for the parser and one for
+# the renderer, and those of what has threads under ThreadSanitizer. Needs no display.
 # Installs what is missing (Debian packages), builds what changed. The last line is the count of all of them.
 set -uo pipefail
 
@@ -52,6 +52,6 @@ run() {
 
 install_missing $build_packages $test_packages || { failed=1; finish; }
 run release all -j "$((2 * $(nproc)))"  # POV-Ray sleeps for most of the time that a small picture takes it
-run asan "firstlight_unit_tests firstlight_parser_fuzz" -L "unit|fuzz"
+run asan "firstlight_unit_tests firstlight_parser_fuzz firstlight_render_fuzz" -L "unit|fuzz"
 run tsan "firstlight_render_test firstlight_priority_test firstlight_app_test" -L unit -E '^parser$'  # it has no threads
 finish
