@@ -17,21 +17,25 @@ namespace firstlight::app {
 
 std::string write_film(const std::string& path, const render::Film& film, const render::Settings& settings) {
   const render::Encoding encoding = render::file_encoding(settings);
+  const auto width = static_cast<std::size_t>(film.width());
+  // What is complete has no holes to be filled, and goes to the file row by row: a large picture is little more in memory
+  // than its film.
   const bool is_complete = film.is_complete();
+  std::vector<render::Rgb> filled;
+  if (!is_complete) filled = render::preview(film);
   if (render::holds_light(path)) {
-    const std::vector<render::Rgb> colors = is_complete ? film.snapshot() : render::preview(film);
-    return render::write_light(path, film.width(), film.height(), render::to_light(colors, encoding));
+    if (is_complete) filled = film.snapshot();
+    return render::write_light(path, film.width(), film.height(), render::to_light(filled, encoding));
   }
-  if (!is_complete) {
-    return render::write_picture(path,
-                                 {film.width(), film.height(), render::to_bytes(render::preview(film), encoding)});
-  }
-  // Row by row: what is complete has no holes to be filled, and large pictures are little more in memory than their film.
   render::ByteTable table(encoding);
-  std::vector<render::Rgb> row(static_cast<std::size_t>(film.width()));
+  std::vector<render::Rgb> row(width);
   const auto make_row = [&](int y, std::span<std::uint8_t> rgb) {
-    film.row(y, row);
-    table.encode(row, rgb);
+    if (is_complete) {
+      film.row(y, row);
+      table.encode(row, rgb);
+    } else {
+      table.encode(std::span(filled).subspan(static_cast<std::size_t>(y) * width, width), rgb);
+    }
   };
   return render::write_picture(path, render::PictureRows{film.width(), film.height(), make_row});
 }
