@@ -43,7 +43,8 @@ class BoxTree {
 
   /// visit(index, rays) for each box that some of the rays in `who` meet, with which, in no particular order.
   template <class Visit>
-  void for_each_met(const RayColumns& rays, const Columns3<double>& inverse, std::uint64_t who, const Visit& visit) const {
+  void for_each_met(const RayColumns& rays, const Columns3<double>& inverse, std::uint64_t who,
+                    const Visit& visit) const {
     for (const std::uint32_t index : boundless_) visit(index, who);
     std::uint32_t at = 0;
     while (at < nodes_.size()) {

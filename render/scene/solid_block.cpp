@@ -38,7 +38,11 @@ const DepthWindow& window_of_bounds() {
 class Solid::Meeting {
  public:
   Meeting(const BlockQuestion& question, std::uint8_t hidden_bit, Slots& slots)
-      : question_(question), hidden_bit_(hidden_bit), opaque_parts_(question.opaque_parts), slots_(slots), visits_(visits_of_thread()) {
+      : question_(question),
+        hidden_bit_(hidden_bit),
+        opaque_parts_(question.opaque_parts),
+        slots_(slots),
+        visits_(visits_of_thread()) {
     visits_.clear();
   }
 
@@ -69,7 +73,7 @@ class Solid::Meeting {
   std::uint64_t reaching(const Solid& bound, const Box3& box, std::uint64_t who);
   void resolve(std::size_t visit, std::size_t first, std::uint64_t who, const DepthWindow& window,
                NearestCrossings& nearest);
-  void choose(const NearestCrossings& nearest, std::size_t first);
+  void choose(const NearestCrossings& nearest, std::uint64_t who, std::size_t first);
   std::uint64_t survivors(std::size_t visit, const Columns3<double>& points, std::uint64_t who);
 
   const BlockQuestion& question_;
@@ -116,7 +120,9 @@ void Solid::Meeting::gather_members(const Solid& solid, std::uint64_t who) {
     thread_local std::vector<std::pair<std::uint32_t, std::uint64_t>> to_ask;  // of all solids that are being asked
     const std::size_t mark = to_ask.size();
     structure.trees->surface.for_each_met(question_.rays, question_.inverse, who,
-                                          [](std::uint32_t i, std::uint64_t rays) { to_ask.push_back({i, rays}); });
+                                          [](std::uint32_t i, std::uint64_t rays) {
+                                            to_ask.push_back({i, rays});
+                                          });
     // In the order of the members, which decides equal depths.
     std::sort(to_ask.begin() + static_cast<std::ptrdiff_t>(mark), to_ask.end());
     const std::size_t end = to_ask.size();
@@ -182,36 +188,35 @@ void Solid::Meeting::resolve(std::size_t visit, std::size_t first, std::uint64_t
   std::uint64_t belonging = 0;
   std::uint64_t open = nearest.rays;
   NearestCrossings next;
-  next.rays = nearest.rays;
-  next.depth = nearest.depth;
-  next.slot = nearest.slot;
+  const NearestCrossings* looked_at = &nearest;
   while (open != 0 && !Interrupt::asked()) {
     Columns3<double> points;
-    points_along(question_.rays, next.depth, open, points);
-    choose(next, first);
+    points_along(question_.rays, looked_at->depth, open, points);
+    choose(*looked_at, open, first);
     const std::uint64_t found = survivors(visit, points, open);
-    for (std::uint64_t bits = found; bits != 0; bits &= bits - 1) {
+    belonging |= found;
+    for (std::uint64_t bits = looked_at == &next ? found : 0; bits != 0; bits &= bits - 1) {
       const auto i = static_cast<std::size_t>(__builtin_ctzll(bits));
       nearest.depth[i] = next.depth[i];
       nearest.slot[i] = next.slot[i];
     }
-    belonging |= found;
     open &= ~found;
     if (open == 0) break;
     for (std::uint64_t bits = open; bits != 0; bits &= bits - 1) {
       const auto i = static_cast<std::size_t>(__builtin_ctzll(bits));
-      slots_[next.slot_of(i)].rays &= ~(std::uint64_t{1} << i);
+      slots_[looked_at->slot_of(i)].rays &= ~(std::uint64_t{1} << i);
     }
     find_nearest(slots_, first, open, window, next);
+    looked_at = &next;
     open = next.rays;
   }
   nearest.rays = belonging;
 }
 
-/// Tells the slots from `first` on which rays look at them.
-void Solid::Meeting::choose(const NearestCrossings& nearest, std::size_t first) {
+/// Tells the slots from `first` on which of the rays in `who` look at them.
+void Solid::Meeting::choose(const NearestCrossings& nearest, std::uint64_t who, std::size_t first) {
   for (std::size_t s = first; s < slots_.size(); ++s) slots_[s].chosen = 0;
-  for (std::uint64_t bits = nearest.rays; bits != 0; bits &= bits - 1) {
+  for (std::uint64_t bits = who; bits != 0; bits &= bits - 1) {
     const auto i = static_cast<std::size_t>(__builtin_ctzll(bits));
     slots_[nearest.slot_of(i)].chosen |= std::uint64_t{1} << i;
   }

@@ -150,8 +150,7 @@ HWY_INLINE void meet(const Cone& cone, const RayOf<L>& ray, const Sink& met) {
 template <class L>
 HWY_INLINE MaskOf<L> inside(const Cone& cone, const Vec3Of<L>& p, bool inverted) {
   const double room = cone.open ? kEpsilon : -kEpsilon;
-  const auto outside =
-      (p.x * p.x + p.y * p.y > p.z * p.z + room) | (p.z < cone.start - room) | (p.z > 1.0 + room);
+  const auto outside = (p.x * p.x + p.y * p.y > p.z * p.z + room) | (p.z < cone.start - room) | (p.z > 1.0 + room);
   return inverted ? outside : !outside;
 }
 

@@ -159,12 +159,12 @@ HWY_AFTER_NAMESPACE();
 // What the formulas of a struct are for others. Of each pair the first stands in HWY_NAMESPACE, the second behind HWY_ONCE,
 // where it defines those members of the struct that render/shape/placed.h tells of.
 
-#define FIRSTLIGHT_MEET_KERNEL(Formula)                                                                                \
-  void meet_##Formula(const Formula& formula, const Transform& transform, const RayColumns& rays, std::uint64_t who,  \
-                      const Shape& shape, Slots& slots) {                                                             \
-    meet_rays(formula, transform, rays, who, shape, slots);                                                           \
+#define FIRSTLIGHT_MEET_KERNEL(Formula)                                                                              \
+  void meet_##Formula(const Formula& formula, const Transform& transform, const RayColumns& rays, std::uint64_t who, \
+                      const Shape& shape, Slots& slots) {                                                            \
+    meet_rays(formula, transform, rays, who, shape, slots);                                                          \
   }
-#define FIRSTLIGHT_MEET_MEMBERS(Formula)                                                                               \
+#define FIRSTLIGHT_MEET_MEMBERS(Formula)                                                                              \
   HWY_EXPORT(meet_##Formula);                                                                                         \
   void Formula::meet_block(const Transform& transform, const RayColumns& rays, std::uint64_t who, const Shape& shape, \
                            Slots& slots) const {                                                                      \
@@ -172,19 +172,19 @@ HWY_AFTER_NAMESPACE();
   }                                                                                                                   \
   void Formula::meet(const Ray& ray, Met& met) const { HWY_NAMESPACE::meet_one(*this, ray, met); }
 
-#define FIRSTLIGHT_INSIDE_KERNEL(Formula)                                                                              \
-  std::uint64_t inside_##Formula(const Formula& formula, const Transform& transform, bool inverted,                   \
-                                 const Columns3<double>& points, std::uint64_t who) {                                 \
-    return points_inside(formula, transform, inverted, points, who);                                                  \
+#define FIRSTLIGHT_INSIDE_KERNEL(Formula)                                                           \
+  std::uint64_t inside_##Formula(const Formula& formula, const Transform& transform, bool inverted, \
+                                 const Columns3<double>& points, std::uint64_t who) {               \
+    return points_inside(formula, transform, inverted, points, who);                                \
   }
-#define FIRSTLIGHT_INSIDE_MEMBERS(Formula)                                                                             \
-  HWY_EXPORT(inside_##Formula);                                                                                       \
-  std::uint64_t Formula::inside_block(const Transform& transform, bool inverted, const Columns3<double>& points,      \
-                                      std::uint64_t who) const {                                                      \
-    return HWY_DYNAMIC_DISPATCH(inside_##Formula)(*this, transform, inverted, points, who);                           \
-  }                                                                                                                   \
-  bool Formula::inside(const Vec3& point, bool inverted) const {                                                      \
-    return HWY_NAMESPACE::is_inside(*this, point, inverted);                                                          \
+#define FIRSTLIGHT_INSIDE_MEMBERS(Formula)                                                                       \
+  HWY_EXPORT(inside_##Formula);                                                                                  \
+  std::uint64_t Formula::inside_block(const Transform& transform, bool inverted, const Columns3<double>& points, \
+                                      std::uint64_t who) const {                                                 \
+    return HWY_DYNAMIC_DISPATCH(inside_##Formula)(*this, transform, inverted, points, who);                      \
+  }                                                                                                              \
+  bool Formula::inside(const Vec3& point, bool inverted) const {                                                 \
+    return HWY_NAMESPACE::is_inside(*this, point, inverted);                                                     \
   }
 
 #endif

@@ -56,9 +56,8 @@ HWY_INLINE void meet(const Form& form, const RayOf<L>& ray, const Sink& met) {
               d.y * (q.square.y * o.y + 0.5 * (q.mixed.x * o.x + q.mixed.z * o.z + q.linear.y)) +
               d.z * (q.square.z * o.z + 0.5 * (q.mixed.y * o.x + q.mixed.z * o.y + q.linear.z));
   const L c = value(q, o);
-  const auto add = [&](std::size_t k, const L& depth, const MaskOf<L>& may) HWY_ATTR {
-    met(k, depth, may & (depth > kNearestCrossing) & (depth < kMaxDistance));
-  };
+  const auto add = [&](std::size_t k, const L& depth, const MaskOf<L>& may)
+                       HWY_ATTR { met(k, depth, may & (depth > kNearestCrossing) & (depth < kMaxDistance)); };
   const auto linear = a == 0.0;
   const auto once = linear & (b != 0.0);
   if (any(once)) add(0, -0.5 * c / b, once);

@@ -10,12 +10,33 @@
 #include <limits>
 #include <utility>
 
+#ifndef FIRSTLIGHT_RENDER_SHAPE_SLOTS
+#define FIRSTLIGHT_RENDER_SHAPE_SLOTS
+namespace firstlight::render {
+namespace {
+
+struct SlotInQuestion {
+  const Column<double>* depth;
+  std::uint64_t rays;  ///< of those that are asked for
+  double number;
+};
+
+}  // namespace
+}  // namespace firstlight::render
+#endif
+
 HWY_BEFORE_NAMESPACE();
 namespace firstlight::render {
 namespace HWY_NAMESPACE {
 
 void nearest_in_slots(const Slots& slots, std::size_t first, std::uint64_t who, const DepthWindow& window,
                       NearestCrossings& nearest) {
+  SlotInQuestion asked[Slots::kMost];
+  std::size_t count = 0;
+  for (std::size_t s = first; s < slots.size(); ++s) {
+    const std::uint64_t rays = slots[s].rays & who;
+    if (rays != 0) asked[count++] = {&slots[s].depth, rays, static_cast<double>(s)};
+  }
   nearest.rays = 0;
   for (std::size_t i = 0; i < kRaysAtOnce; i += Lanes::kCount) {
     const std::uint64_t of_vector = who >> i & kAllLanes;
@@ -23,13 +44,12 @@ void nearest_in_slots(const Slots& slots, std::size_t first, std::uint64_t who, 
     const auto low = load<Lanes>(window.low, i);
     auto best = load<Lanes>(window.high, i);
     Lanes slot = -1.0;
-    for (std::size_t s = first; s < slots.size(); ++s) {
-      const std::uint64_t has = slots[s].rays >> i & of_vector;
-      if (has == 0) continue;
-      const auto depth = load<Lanes>(slots[s].depth, i);
-      const auto nearer = Lanes::mask_of(static_cast<unsigned>(has)) & (depth > low) & (depth <= best);
+    for (std::size_t a = 0; a < count; ++a) {
+      const auto depth = load<Lanes>(*asked[a].depth, i);
+      const auto has = Lanes::mask_of(static_cast<unsigned>(asked[a].rays >> i & kAllLanes));
+      const auto nearer = has & (depth > low) & (depth <= best);
       best = select(nearer, depth, best);
-      slot = select(nearer, Lanes(static_cast<double>(s)), slot);
+      slot = select(nearer, Lanes(asked[a].number), slot);
     }
     store(best, nearest.depth, i);
     store(slot, nearest.slot, i);
@@ -79,7 +99,8 @@ void Slots::drop_empty(std::size_t first) {
 }
 
 void Slots::turn_around(std::size_t first) {
-  std::reverse(slots_.begin() + static_cast<std::ptrdiff_t>(first), slots_.begin() + static_cast<std::ptrdiff_t>(size_));
+  std::reverse(slots_.begin() + static_cast<std::ptrdiff_t>(first),
+               slots_.begin() + static_cast<std::ptrdiff_t>(size_));
 }
 
 }  // namespace firstlight::render

@@ -20,13 +20,13 @@ struct Slot {
   };
 
   Column<double> depth;
-  std::uint64_t rays;      ///< bits of those that have a crossing here
-  std::uint64_t chosen;    ///< of them, those whose crossing here is being looked at
+  std::uint64_t rays;    ///< bits of those that have a crossing here
+  std::uint64_t chosen;  ///< of them, those whose crossing here is being looked at
   const Shape* shape;
   std::uint32_t part;
-  std::uint32_t face;      ///< of all, unless each has its own
-  bool has_faces;          ///< each crossing has its own face
-  bool has_places;         ///< and place
+  std::uint32_t face;  ///< of all, unless each has its own
+  bool has_faces;      ///< each crossing has its own face
+  bool has_places;     ///< and place
   std::unique_ptr<Details> details;
 
   /// Begins without rays.

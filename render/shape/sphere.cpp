@@ -154,7 +154,8 @@ double similarity_factor(const Mat4& m) {
 }  // namespace
 
 bool meet_sphere(const Ray& ray, const Vec3& center, double radius_squared, double& enters, double& leaves) {
-  const HWY_NAMESPACE::RayOf<One> one{HWY_NAMESPACE::everywhere<One>(ray.origin), HWY_NAMESPACE::everywhere<One>(ray.direction)};
+  const HWY_NAMESPACE::RayOf<One> one{HWY_NAMESPACE::everywhere<One>(ray.origin),
+                                      HWY_NAMESPACE::everywhere<One>(ray.direction)};
   const auto through = HWY_NAMESPACE::through_sphere(one, center, radius_squared);
   enters = through.enters.v;
   leaves = through.leaves.v;

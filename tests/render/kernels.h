@@ -169,26 +169,32 @@ class KernelList {
                  }});
     }
   }
-  /// How far each of the crossings of a ray lies, together, how many there are, and whether its origin is inside.
+  /// The depth of the nearest crossing of rays that go one way, its slot, and whether the ray begins inside.
   void add_shapes() {
+    const auto directed = std::make_shared<RayColumns>();
+    const auto low = std::make_shared<Column<double>>();
+    const auto high = std::make_shared<Column<double>>();
+    for (std::size_t i = 0; i < kRaysAtOnce; ++i) {
+      directed->direction.set(i, Vec3(-0.48, 0.6, 0.64));
+      (*low)[i] = 0.0;
+      (*high)[i] = 1e7;
+    }
     for (const NamedShape& named : shapes_of_all_kinds()) {
       if (!named.shape->is_over_lanes()) continue;
       const ShapePtr shape = named.shape;
       kernels_.push_back(
-          Kernel{named.name, [shape](const Columns3<double>& at, std::size_t count, Columns3<double>& results) {
-                   const RayColumns rays = rays_from(at, count);
+          Kernel{named.name, [=](const Columns3<double>& at, std::size_t count, Columns3<double>& results) {
+                   directed->origin = at;
                    const std::uint64_t all = ~std::uint64_t{0} >> (kRaysAtOnce - count);
                    Slots& slots = Slots::of_thread();
-                   shape->meet_block(rays, all, nullptr, slots);
-                   const std::uint64_t inside = shape->inside_block(rays.origin, all);
+                   shape->meet_block(*directed, all, nullptr, slots);
+                   NearestCrossings nearest;
+                   find_nearest(slots, 0, all, DepthWindow{*low, *high}, nearest);
+                   results.of[0] = nearest.depth;
+                   results.of[1] = nearest.slot;
+                   const std::uint64_t inside = shape->inside_block(at, all);
                    for (std::size_t i = 0; i < count; ++i) {
-                     double depths = 0.0, crossings = 0.0;
-                     for (std::size_t s = 0; s < slots.size(); ++s) {
-                       if ((slots[s].rays >> i & 1) == 0) continue;
-                       depths += slots[s].depth[i];
-                       crossings += 1.0 + slots[s].face_of(i);
-                     }
-                     results.set(i, Vec3(depths, crossings, static_cast<double>(inside >> i & 1)));
+                     results.of[2][i] = static_cast<double>(inside >> i & 1);
                    }
                  }});
     }

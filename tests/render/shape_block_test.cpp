@@ -115,8 +115,8 @@ class SolidMaker {
 };
 
 /// What Solid::meet() is to find for one ray.
-std::optional<Crossing> nearest_alone(const Solid& solid, const Ray& ray, std::uint8_t hidden_bit, double low, double high,
-                                      const std::vector<bool>* opaque_parts) {
+std::optional<Crossing> nearest_alone(const Solid& solid, const Ray& ray, std::uint8_t hidden_bit, double low,
+                                      double high, const std::vector<bool>* opaque_parts) {
   std::vector<Crossing> all;
   solid.crossings(ray, hidden_bit, all);
   std::optional<Crossing> nearest;

@@ -53,8 +53,8 @@ HWY_NOINLINE void meet_singly(const SolidLeaf& leaf, std::uint64_t who, const Co
 
 /// The depths between which crossings count: as least_depth() has it, and not beyond the search's limit.
 template <class Search>
-HWY_INLINE void find_window(const SolidLeaf& leaf, const Column<double>& from, const Search& search, Column<double>& low,
-                            Column<double>& high) {
+HWY_INLINE void find_window(const SolidLeaf& leaf, const Column<double>& from, const Search& search,
+                            Column<double>& low, Column<double>& high) {
   const RayBlock& rays = search.rays();
   for (std::size_t i = 0; i < rays.size; i += Lanes::kCount) {
     const auto min_depth = load<Lanes>(rays.min_depth, i);
@@ -68,8 +68,8 @@ HWY_INLINE void find_window(const SolidLeaf& leaf, const Column<double>& from, c
 
 /// The rays in `who`, all of a kind, together. False: none has been met.
 template <class Search>
-HWY_NOINLINE bool meet_block(const SolidLeaf& leaf, std::uint64_t who, std::uint8_t hidden_bit, const Column<double>& from,
-                             Search& search) {
+HWY_NOINLINE bool meet_block(const SolidLeaf& leaf, std::uint64_t who, std::uint8_t hidden_bit,
+                             const Column<double>& from, Search& search) {
   const RayBlock& rays = search.rays();
   Column<double> low, high;
   find_window(leaf, from, search, low, high);
