@@ -7,8 +7,8 @@
 
 namespace firstlight::render {
 
-// Tests of rays or points side by side. `who` has the bits of those that are asked for; what is returned, the bits of those
-// of them for which it holds.
+// Tests of rays or points side by side. `who` has the bits of those that are asked for; what is returned, the bits of
+// those of them for which it holds.
 
 /// Whether rays pass through the box in front of their origins. As meets() of one ray, but `inverse` has one over each
 /// direction, for 0 a number that is large and finite: so test padded boxes.

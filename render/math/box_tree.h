@@ -58,8 +58,8 @@ class BoxTree {
       ++at;
     }
   }
-  /// left = visit(index, points, left) for each box that holds some of the points that are left, with which of them; `who` are
-  /// left at first. Returns those that are at the end.
+  /// left = visit(index, points, left) for each box that holds some of the points that are left, with which of them;
+  /// `who` are left at first. Returns those that are at the end.
   template <class Visit>
   std::uint64_t for_each_around(const Columns3<double>& points, std::uint64_t who, const Visit& visit) const {
     std::uint64_t left = who;

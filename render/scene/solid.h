@@ -59,8 +59,8 @@ class Solid {
   Extent extent() const;
   /// Rays that miss the extent miss the solid. Pre: closed.
   void set_extent(const Extent& extent);
-  /// Whether some of it may lie outside of its extent: then box() is of the extent, and of a ray that meets the box, all
-  /// crossings count.
+  /// Whether some of it may lie outside of its extent: then box() is of the extent, and of a ray that meets the box,
+  /// all crossings count.
   bool is_cramped() const;
   /// As box(), without regard to the extent.
   Box3 surface_box() const;
@@ -81,9 +81,9 @@ class Solid {
   void crossings(const Ray& ray, std::uint8_t hidden_bit, std::vector<Crossing>& out) const;
   /// The same where only the nearest crossing beyond `low` counts, and only below `high`: others may be left out.
   void nearest(const Ray& ray, std::uint8_t hidden_bit, double low, double high, std::vector<Crossing>& out) const;
-  /// The nearest crossing of each ray in `who`, as nearest() tells it, of rays of a block that are all of one kind; where only
-  /// opaque parts count, the nearest on these. `slots` has them until it is cleared. False: not found out, for a solid too
-  /// deep or with too many crossings; one ray can still be asked.
+  /// The nearest crossing of each ray in `who`, as nearest() tells it, of rays of a block that are all of one kind;
+  /// where only opaque parts count, the nearest on these. `slots` has them until it is cleared. False: not found out,
+  /// for a solid too deep or with too many crossings; one ray can still be asked.
   bool meet(const BlockQuestion& question, std::uint8_t hidden_bit, std::uint64_t who, Slots& slots,
             NearestCrossings& nearest) const;
   /// Whether the kind of a ray matters to what it meets.

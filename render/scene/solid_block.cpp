@@ -1,6 +1,6 @@
-// How a block of rays meets a solid. Every crossing of every shape gets its place in a slot; then each ray looks at its own
-// from the nearest on until one belongs to the surface. So inside tests are asked only of crossings that are nearer than what
-// is seen, and of many rays at once.
+// How a block of rays meets a solid. Every crossing of every shape gets its place in a slot; then each ray looks at its
+// own from the nearest on until one belongs to the surface. So inside tests are asked only of crossings that are nearer
+// than what is seen, and of many rays at once.
 #include "render/math/block_tests.h"
 #include "render/math/interrupt.h"
 #include "render/scene/solid.h"
@@ -178,8 +178,8 @@ std::uint64_t Solid::Meeting::reaching(const Solid& bound, const Box3& box, std:
   return starting | nearest.rays;
 }
 
-/// Finds the nearest crossing that belongs to the surface of the visited solid, whose slots begin with `first`, as all that
-/// there are from it on.
+/// Finds the nearest crossing that belongs to the surface of the visited solid, whose slots begin with `first`, as all
+/// that there are from it on.
 void Solid::Meeting::resolve(std::size_t visit, std::size_t first, std::uint64_t who, const DepthWindow& window,
                              NearestCrossings& nearest) {
   const Solid& solid = *visits_[visit].solid;
@@ -222,8 +222,8 @@ void Solid::Meeting::choose(const NearestCrossings& nearest, std::uint64_t who, 
   }
 }
 
-/// Of the rays in `who`, which look at crossings within the visited solid, those whose crossing, at `points`, belongs to the
-/// solid's surface.
+/// Of the rays in `who`, which look at crossings within the visited solid, those whose crossing, at `points`, belongs
+/// to the solid's surface.
 std::uint64_t Solid::Meeting::survivors(std::size_t visit, const Columns3<double>& points, std::uint64_t who) {
   const Solid& solid = *visits_[visit].solid;
   if (solid.is_plain()) return who;
@@ -278,7 +278,8 @@ std::uint64_t Solid::member_holds(std::size_t index, const Columns3<double>& poi
   return (who & ~in_doubt) | member.shape->inside_block(points, in_doubt);
 }
 
-/// Of the points in `who`, those that are inside of all members; own(member) tells which points need not be inside of it.
+/// Of the points in `who`, those that are inside of all members; own(member) tells which points need not be inside of
+/// it.
 template <class Own>
 std::uint64_t Solid::inside_all_members(const Columns3<double>& points, std::uint64_t who, const Own& own) const {
   const Structure& structure = *structure_;

@@ -1,11 +1,12 @@
-// How formulas of shapes over a lane type meet blocks of rays, and single ones. Included once for each instruction set, so the
-// guard switches back and forth.
+// How formulas of shapes over a lane type meet blocks of rays, and single ones. Included once for each instruction set,
+// so the guard switches back and forth.
 //
-// A shape's numbers are a struct with `kSlots`, the most crossings that a ray may have. Its formulas are functions beside it:
+// A shape's numbers are a struct with `kSlots`, the most crossings that a ray may have. Its formulas are functions
+// beside it:
 //
-//     meet(shape, ray, met)            calls met(k, depth, mask) or met(k, depth, mask, face), with k from 0 to kSlots - 1 each
-//                                      at most once and in this order, for the k-th crossing, which those rays have that are
-//                                      in the mask
+//     meet(shape, ray, met)            calls met(k, depth, mask) or met(k, depth, mask, face), with k from 0 to
+//                                      kSlots - 1 each at most once and in this order, for the k-th crossing, which
+//                                      those rays have that are in the mask
 //     inside(shape, point, inverted)   the mask of the points that are in the shape, or in its complement
 #if defined(FIRSTLIGHT_RENDER_SHAPE_LANE_SHAPE_INL_H) == defined(HWY_TARGET_TOGGLE)
 #ifdef FIRSTLIGHT_RENDER_SHAPE_LANE_SHAPE_INL_H
@@ -34,8 +35,8 @@ struct RayOf {
   Vec3Of<L> origin, direction;
 };
 
-/// The same rays with directions of unit length; depths along them are `length` times as long. Directions are multiplied by
-/// the reciprocal, as POV-Ray does: surfaces that coincide are then decided by the same rounding.
+/// The same rays with directions of unit length; depths along them are `length` times as long. Directions are
+/// multiplied by the reciprocal, as POV-Ray does: surfaces that coincide are then decided by the same rounding.
 template <class L>
 struct UnitRayOf {
   L length;
@@ -156,8 +157,8 @@ bool is_inside(const Formula& formula, const Vec3& point, bool inverted) {
 }  // namespace firstlight::render
 HWY_AFTER_NAMESPACE();
 
-// What the formulas of a struct are for others. Of each pair the first stands in HWY_NAMESPACE, the second behind HWY_ONCE,
-// where it defines those members of the struct that render/shape/placed.h tells of.
+// What the formulas of a struct are for others. Of each pair the first stands in HWY_NAMESPACE, the second behind
+// HWY_ONCE, where it defines those members of the struct that render/shape/placed.h tells of.
 
 #define FIRSTLIGHT_MEET_KERNEL(Formula)                                                                              \
   void meet_##Formula(const Formula& formula, const Transform& transform, const RayColumns& rays, std::uint64_t who, \

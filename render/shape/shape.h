@@ -57,8 +57,8 @@ class Shape {
   }
   /// Whether `point` is in the solid. An `inverse` shape is the complement.
   virtual bool inside(const Vec3& point) const = 0;
-  /// Adds slots with what crossings() tells of those rays of a block whose bits are in `who`; or, if the window is given,
-  /// with what nearest() tells of them. When there is no room for a slot, the rest is left out.
+  /// Adds slots with what crossings() tells of those rays of a block whose bits are in `who`; or, if the window is
+  /// given, with what nearest() tells of them. When there is no room for a slot, the rest is left out.
   virtual void meet_block(const RayColumns& rays, std::uint64_t who, const DepthWindow* nearest_only,
                           Slots& slots) const;
   /// Of the points whose bits are in `who`, the bits of those that are in the solid.

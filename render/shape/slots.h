@@ -50,7 +50,8 @@ struct Slot {
   }
 };
 
-/// The crossings of a block of rays. Those of one ray, slot after slot, are its list of crossings as one ray alone has it.
+/// The crossings of a block of rays. Those of one ray, slot after slot, are its list of crossings as one ray alone has
+/// it.
 ///
 /// Memory   Half a kilobyte a slot, kept for the next block.
 /// Threads  One has one.
@@ -96,8 +97,8 @@ struct NearestCrossings {
   std::size_t slot_of(std::size_t ray) const { return static_cast<std::size_t>(slot[ray]); }
 };
 
-/// Of the crossings in the slots from `first` on, the nearest of each ray in `who` within the window; of equal depths the
-/// last.
+/// Of the crossings in the slots from `first` on, the nearest of each ray in `who` within the window; of equal depths
+/// the last.
 void find_nearest(const Slots& slots, std::size_t first, std::uint64_t who, const DepthWindow& window,
                   NearestCrossings& nearest);
 

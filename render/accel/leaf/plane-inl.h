@@ -1,5 +1,5 @@
-// How several rays meet a plane. Lane by lane the operations are those of Plane::meet in the same order, none fused: the
-// depths are the same to the bit.
+// How several rays meet a plane. Lane by lane the operations are those of the shape Plane in the same order, none fused:
+// the depths are the same to the bit.
 // Included once for each instruction set, so the guard switches back and forth.
 #if defined(FIRSTLIGHT_RENDER_ACCEL_LEAF_PLANE_INL_H) == defined(HWY_TARGET_TOGGLE)
 #ifdef FIRSTLIGHT_RENDER_ACCEL_LEAF_PLANE_INL_H
@@ -24,7 +24,7 @@ namespace HWY_NAMESPACE {
 
 namespace hn = hwy::HWY_NAMESPACE;
 
-/// Several rays and what Plane::meet has of them.
+/// Several rays, and where they go from the plane.
 struct PlaneMeeting {
   using V = hn::VFromD<Doubles>;
   using M = decltype(hn::Eq(V(), V()));
