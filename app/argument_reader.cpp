@@ -69,7 +69,7 @@ bool ArgumentReader::read_own_setting(const std::string& word) {
   const std::size_t equals = word.find('=');
   if (!is_assignment(word, equals)) return false;
   const std::string name = lower(std::string_view(word).substr(0, equals));
-  if (name == "declare" || find_setting(name) != nullptr) return false;
+  if (is_setting(name)) return false;
   const std::string option = option_of_setting(name);
   if (long_options_.knows(option)) {
     long_options_.read_word(option + word.substr(equals));

@@ -26,12 +26,14 @@ struct FileType {
   char letter;
   std::string_view extension;
   std::string_view name;
-  int bits;  ///< per channel
+  int bits;                ///< per channel, where no number is asked for
+  bool has_words = false;  ///< 16 bits too
 };
 
 constexpr FileType kFileTypes[] = {
-    {'N', ".png", "PNG", 8}, {'T', ".tga", "TGA", 8},  {'C', ".tga", "TGA", 8},      {'P', ".ppm", "PPM", 8},
-    {'B', ".bmp", "BMP", 8}, {'J', ".jpg", "JPEG", 8}, {'E', ".exr", "OpenEXR", 32}, {'H', ".hdr", "Radiance", 8},
+    {'N', ".png", "PNG", 8, true}, {'T', ".tga", "TGA", 8},      {'C', ".tga", "TGA", 8},
+    {'P', ".ppm", "PPM", 8, true}, {'B', ".bmp", "BMP", 8},      {'J', ".jpg", "JPEG", 8},
+    {'E', ".exr", "OpenEXR", 32},  {'H', ".hdr", "Radiance", 8},
 };
 
 const FileType* find_file_type(char letter) {
@@ -45,8 +47,10 @@ std::string refusal_of_bits(const FileType& type, int bits) {
   // Callers of POV-Ray mean the quality.
   if (type.letter == 'J') return option + ": the quality of JPEG files cannot be chosen";
   constexpr int kFewest = 5;  // as with POV-Ray, for files of 8
-  if (bits == type.bits || (type.bits == 8 && bits >= kFewest && bits <= 8)) return {};
-  return fmt::format("{}: {} files are written with {} bits per channel", option, type.name, type.bits);
+  if (bits == type.bits || (type.bits == 8 && bits >= kFewest && bits <= 8) || (type.has_words && bits == 16))
+    return {};
+  return fmt::format("{}: {} files are written with {}{} bits per channel", option, type.name, type.bits,
+                     type.has_words ? " or 16" : "");
 }
 
 void check(CommandLine& line) {

@@ -22,8 +22,9 @@ struct Options {
   int height = 240;
   int threads = 0;  ///< 0: one for each processor
   bool write_picture = true;
-  char file_type = 'N';  ///< POV-Ray's letter, upper case
-  int bits = 0;          ///< per channel; 0: the usual number of the file type
+  char file_type = 'N';     ///< POV-Ray's letter, upper case
+  int bits = 0;             ///< per channel; 0: the usual number of the file type
+  double file_gamma = 0.0;  ///< numbers in the file are light ^ (1 / file_gamma); 0: on the sRGB curve
   std::vector<std::string> library_paths;
   std::vector<std::pair<std::string, std::string>> declares;  ///< name, number
   double clock = 0.0;

@@ -15,10 +15,14 @@
 
 namespace firstlight::app {
 
-std::string write_film(const std::string& path, const render::Film& film, const render::Settings& settings) {
-  const render::Encoding encoding = render::file_encoding(settings);
+std::string write_film(const std::string& path, const render::Film& film, const render::Settings& settings,
+                       const FileNumbers& numbers) {
+  render::Encoding encoding = render::file_encoding(settings);
+  // Nothing is known of the numbers of a scene whose gamma is not managed, neither before nor after.
+  const double gamma = settings.gamma == render::WorkingGamma::unmanaged ? 0.0 : numbers.gamma;
+  if (gamma != 0.0) encoding = encoding.with_file_gamma(gamma);
   const auto width = static_cast<std::size_t>(film.width());
-  // What is complete has no holes to be filled, and goes to the file row by row: a large picture is little more in memory
+  // A complete picture has no holes to be filled, and goes to the file row by row: a large one is little more in memory
   // than its film.
   const bool is_complete = film.is_complete();
   std::vector<render::Rgb> filled;
@@ -30,14 +34,14 @@ std::string write_film(const std::string& path, const render::Film& film, const 
   render::ByteTable table(encoding);
   std::vector<render::Rgb> row(width);
   const auto make_row = [&](int y, std::span<std::uint8_t> rgb) {
-    if (is_complete) {
-      film.row(y, row);
-      table.encode(row, rgb);
-    } else {
-      table.encode(std::span(filled).subspan(static_cast<std::size_t>(y) * width, width), rgb);
-    }
+    if (is_complete) film.row(y, row);
+    const std::span<const render::Rgb> colors =
+        is_complete ? std::span<const render::Rgb>(row)
+                    : std::span<const render::Rgb>(filled).subspan(static_cast<std::size_t>(y) * width, width);
+    numbers.bits == 8 ? table.encode(colors, rgb) : render::encode_words(colors, encoding, rgb);
   };
-  return render::write_picture(path, render::PictureRows{film.width(), film.height(), make_row});
+  return render::write_picture(
+      path, render::PictureRows{film.width(), film.height(), make_row, numbers.bits / 8, gamma});
 }
 
 std::string check_writable(const std::string& name) {

@@ -21,8 +21,6 @@ std::optional<bool> parse_flag(std::string_view text) {
   return std::nullopt;
 }
 
-bool is_setting(std::string_view name) { return name == "declare" || find_setting(name) != nullptr; }
-
 }  // namespace
 
 void PovOptions::read_word(const std::string& word) {
@@ -69,6 +67,8 @@ void PovOptions::read_setting(const std::string& word) {
   const std::string name = lower(std::string_view(word).substr(0, equals));
   const std::string value = word.substr(equals + 1);
   if (name == "declare") return read_declare(value);
+  if (name == "file_gamma") return read_file_gamma(word, value);
+  if (name == "display_gamma") return;  // of a window
   const Setting* const setting = find_setting(name);
   if (setting == nullptr) {
     const std::string near = nearest(name, known_settings());
@@ -100,6 +100,16 @@ void PovOptions::read_setting(const std::string& word) {
   const SwitchRow* const row = find_switch(std::string_view(as_switch).substr(1));
   if (row == nullptr || row->letters != setting->letters || !apply(as_switch))
     out_.errors.push_back(fmt::format("setting '{}': '{}' is not a possible value", word, value));
+}
+
+void PovOptions::read_file_gamma(const std::string& word, std::string_view value) {
+  if (lower(value) == "srgb") {
+    out_.options.file_gamma = 0.0;
+  } else if (const auto gamma = parse<double>(value); gamma && *gamma > 0.0 && std::isfinite(*gamma)) {
+    out_.options.file_gamma = *gamma;
+  } else {
+    out_.errors.push_back(fmt::format("setting '{}': expected sRGB or a number above 0, found '{}'", word, value));
+  }
 }
 
 void PovOptions::read_declare(std::string_view assignment) {

@@ -22,6 +22,7 @@ class PovOptions {
  private:
   void read_switch(const std::string& word);
   void read_setting(const std::string& word);
+  void read_file_gamma(const std::string& word, std::string_view value);
   void read_declare(std::string_view assignment);
   bool apply(std::string_view word);
   /// The number that a setting changes which, unlike the switch of the same meaning, does not also turn something on;

@@ -92,6 +92,9 @@ constexpr SwitchRow kRows[] = {
     {"X", Form::nothing, Use::ignored},
 };
 
+// No switch has their meaning.
+constexpr std::string_view kSettingsAlone[] = {"declare", "display_gamma", "file_gamma"};
+
 constexpr Setting kSettings[] = {
     {"antialias", "A", true},
     {"antialias_depth", "R", false},
@@ -177,8 +180,12 @@ const Setting* find_setting(std::string_view name) {
   return setting == std::end(kSettings) ? nullptr : setting;
 }
 
+bool is_setting(std::string_view name) {
+  return std::ranges::find(kSettingsAlone, name) != std::end(kSettingsAlone) || find_setting(name) != nullptr;
+}
+
 std::vector<std::string> known_settings() {
-  std::vector<std::string> out{"declare"};
+  std::vector<std::string> out(std::begin(kSettingsAlone), std::end(kSettingsAlone));
   for (const Setting& known : kSettings) out.emplace_back(known.name);
   return out;
 }

@@ -61,7 +61,10 @@ std::vector<std::string> known_switches();
 
 /// `name` in lower case; null when there is no such setting.
 const Setting* find_setting(std::string_view name);
+/// Names of all settings, also of those that no switch stands for.
 std::vector<std::string> known_settings();
+/// Whether `name`, in lower case, is one of them.
+bool is_setting(std::string_view name);
 
 std::string lower(std::string_view text);
 

@@ -65,7 +65,7 @@ priority::TraceResult Session::trace(render::Film& film, const priority::TraceOp
 }
 
 std::string Session::write(const std::string& path, const render::Film& film) const {
-  return write_film(path, film, scene().settings);
+  return write_film(path, film, scene().settings, {.bits = options_.bits > 8 ? 16 : 8, .gamma = options_.file_gamma});
 }
 
 }  // namespace firstlight::app

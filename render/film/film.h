@@ -88,7 +88,7 @@ class Film {
   float open_share(std::uint32_t pixel) const { return load(refined_[pixel].open); }
 
  private:
-  // What lies in these begins as zeros, and is changed and read by threads as by std::atomic.
+  // These begin as zeros, and threads change and read them as std::atomic would.
   struct alignas(32) Sample {
     std::int64_t r, g, b;
     std::int64_t change;  ///< of the most that may still come, most_ at first

@@ -10,29 +10,44 @@ namespace firstlight::render {
 
 /// How the colour numbers that a scene is computed in become the numbers in a picture file.
 ///
-/// Units    Working numbers: 0 is black, 1 is white, any range. File numbers: 0 to 255 on the sRGB curve.
-/// Source   sRGB: IEC 61966-2-1. Rounding and clipping are POV-Ray 3.7's for 8-bit files without dithering.
+/// Units    Working numbers: 0 is black, 1 is white, any range. File numbers: 0 to 255 or 65535, on the sRGB curve unless
+///          with_file_gamma() says otherwise.
+/// Source   sRGB: IEC 61966-2-1. Rounding and clipping are POV-Ray 3.7's for files without dithering.
 class Encoding {
  public:
   /// Working numbers are proportional to light.
-  static Encoding linear() { return Encoding(Curve::srgb, 1.0); }
+  static Encoding linear() { return power(1.0); }
   /// Working numbers are light ^ (1 / exponent). An exponent within 0.01 of 1 counts as 1.
   static Encoding power(double exponent);
-  /// Working numbers are file numbers already, but for the range.
-  static Encoding as_is() { return Encoding(Curve::none, 1.0); }
+  /// Working numbers are on the sRGB curve.
+  static Encoding srgb() { return {Working::srgb, 1.0}; }
+  /// Working numbers are file numbers already, but for the range, whatever the curve of the file.
+  static Encoding as_is() { return {Working::unmanaged, 1.0}; }
+
+  /// The same working numbers in files whose numbers are light ^ (1 / gamma). Pre: gamma > 0.
+  Encoding with_file_gamma(double gamma) const;
 
   /// The value in a file of 8 bits a channel. Not-a-number is black.
   std::uint8_t byte(float working) const;
+  /// The value in a file of 16 bits a channel.
+  std::uint16_t word(float working) const;
   /// The value in a file of linear light (OpenEXR, Radiance): unclipped, finite.
   float light(float working) const;
 
  private:
-  enum class Curve { srgb, none };
+  enum class Working { power, srgb, unmanaged };
+  enum class Curve { none, power, srgb };
 
-  Encoding(Curve curve, double exponent) : curve_(curve), exponent_(static_cast<float>(exponent)) {}
+  Encoding(Working working, double exponent);
+  float file_number(float working) const;  ///< before it is clipped
 
-  Curve curve_;
-  float exponent_;
+  Working working_;
+  double working_exponent_;
+  // From working numbers to light, and from there to file numbers.
+  Curve decoding_ = Curve::none;
+  Curve encoding_ = Curve::none;
+  float decoding_exponent_ = 1.0f;
+  float encoding_exponent_ = 1.0f;
 };
 
 /// Encoding::byte() of many colours, one picture's, say: of most numbers it is known from their neighbours.
@@ -51,6 +66,8 @@ class ByteTable {
   std::vector<std::uint16_t> known_;  ///< of each range of numbers: their byte, or kSeveral, or kUnknown
 };
 
+/// Red green blue of each colour as Encoding::word(), the upper byte first. Pre: room for 6 * colors.size() bytes.
+void encode_words(std::span<const Rgb> colors, const Encoding& encoding, std::span<std::uint8_t> bytes);
 /// Red green blue of each colour.
 std::vector<std::uint8_t> to_bytes(std::span<const Rgb> colors, const Encoding& encoding);
 std::vector<float> to_light(std::span<const Rgb> colors, const Encoding& encoding);

@@ -16,8 +16,10 @@ struct PictureRows {
   int height = 0;
   /// Red green blue of each pixel of a row, counted from the top; asked for once each, in any order.
   std::function<void(int y, std::span<std::uint8_t> rgb)> make;
+  int channel_bytes = 1;  ///< 2: numbers up to 65535, the upper byte first
+  double gamma = 0.0;     ///< numbers are light ^ (1 / gamma); 0: on the sRGB curve
 
-  std::size_t row_bytes() const { return 3 * static_cast<std::size_t>(width); }
+  std::size_t row_bytes() const { return std::size_t{3} * static_cast<std::size_t>(channel_bytes * width); }
 };
 
 /// Pre: the picture outlives what is returned.

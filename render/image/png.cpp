@@ -150,9 +150,14 @@ void write_all(Writing& w) {
   const int width = w.picture.width;
   const int height = w.picture.height;
   png_set_write_fn(w.png, &w, put, nullptr);
-  png_set_IHDR(w.png, w.info, static_cast<png_uint_32>(width), static_cast<png_uint_32>(height), 8, PNG_COLOR_TYPE_RGB,
-               PNG_INTERLACE_NONE, PNG_COMPRESSION_TYPE_DEFAULT, PNG_FILTER_TYPE_DEFAULT);
-  png_set_sRGB_gAMA_and_cHRM(w.png, w.info, PNG_sRGB_INTENT_ABSOLUTE);
+  png_set_IHDR(w.png, w.info, static_cast<png_uint_32>(width), static_cast<png_uint_32>(height),
+               8 * w.picture.channel_bytes, PNG_COLOR_TYPE_RGB, PNG_INTERLACE_NONE, PNG_COMPRESSION_TYPE_DEFAULT,
+               PNG_FILTER_TYPE_DEFAULT);
+  if (w.picture.gamma == 0.0) {
+    png_set_sRGB_gAMA_and_cHRM(w.png, w.info, PNG_sRGB_INTENT_ABSOLUTE);
+  } else {
+    png_set_gAMA(w.png, w.info, 1.0 / w.picture.gamma);
+  }
   png_write_info(w.png, w.info);
   for (int y = 0; y < height; ++y) {
     w.picture.make(y, w.row);

@@ -135,7 +135,8 @@ Raster read_pnm(FileBytes file) {
 }
 
 void make_ppm(const PictureRows& picture, const PutBytes& put) {
-  const std::string header = fmt::format("P6\n{} {}\n255\n", picture.width, picture.height);
+  const std::string header =
+      fmt::format("P6\n{} {}\n{}\n", picture.width, picture.height, picture.channel_bytes == 1 ? 255 : 65535);
   put(std::vector<std::uint8_t>(header.begin(), header.end()));
   std::vector<std::uint8_t> row(picture.row_bytes());
   for (int y = 0; y < picture.height; ++y) {

@@ -15,7 +15,7 @@ struct RayColumns {
   Ray ray(std::size_t i) const { return {origin.vector(i), direction.vector(i)}; }
 };
 
-/// Of each of several rays only crossings beyond `low` and not beyond `high` count.
+/// Several rays; crossings beyond `low` and not beyond `high` count.
 struct DepthWindow {
   const Column<double>& low;
   const Column<double>& high;

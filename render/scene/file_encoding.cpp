@@ -9,6 +9,7 @@ Encoding file_encoding(const Settings& settings) {
     case WorkingGamma::power:
       return Encoding::power(settings.gamma_exponent);
     case WorkingGamma::srgb:
+      return Encoding::srgb();
     case WorkingGamma::unmanaged:
       break;
   }

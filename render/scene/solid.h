@@ -25,7 +25,7 @@ struct Reach {
   Box3 outside = boundless_box();  ///< every point outside of it is inside the solid
 };
 
-/// What is asked of a solid for the rays of a block.
+/// A question to a solid for the rays of a block.
 struct BlockQuestion {
   const RayColumns& rays;
   const Columns3<double>& inverse;  ///< one over each direction; for 0 a number that is large and finite
@@ -91,7 +91,7 @@ class Solid {
   /// Whether a block of rays is met sooner together than one by one.
   bool suits_blocks() const;
   bool inside(const Vec3& point) const;
-  /// Of the points whose bits are in `who`, the bits of those that are inside. Pre: the solid suits blocks.
+  /// Returns the bits of those points in `who` that are inside. Pre: the solid suits blocks.
   std::uint64_t inside(const Columns3<double>& points, std::uint64_t who) const;
   /// Whether a ray that begins at `point`, in space, begins in the solid.
   /// Source   POV-Ray 3.7: it asks the bounding box, and does not ask what clips the whole.

@@ -222,7 +222,7 @@ void Solid::Meeting::choose(const NearestCrossings& nearest, std::uint64_t who, 
   }
 }
 
-/// Of the rays in `who`, which look at crossings within the visited solid, those whose crossing, at `points`, belongs
+/// Returns those rays in `who`, which look at crossings within the visited solid, whose crossing, at `points`, belongs
 /// to the solid's surface.
 std::uint64_t Solid::Meeting::survivors(std::size_t visit, const Columns3<double>& points, std::uint64_t who) {
   const Solid& solid = *visits_[visit].solid;
@@ -266,7 +266,7 @@ bool Solid::suits_blocks() const {
   return kind == Kind::shape ? shape->is_over_lanes() : structure_->levels <= kMostLevels;
 }
 
-/// Of the points in `who`, those that a member holds; its boxes are asked first.
+/// Returns those points in `who` that a member holds; its boxes are asked first.
 std::uint64_t Solid::member_holds(std::size_t index, const Columns3<double>& points, std::uint64_t who) const {
   const Solid& member = structure_->members[index];
   if (!member.is_plain()) return member.inside(points, who);
@@ -278,7 +278,7 @@ std::uint64_t Solid::member_holds(std::size_t index, const Columns3<double>& poi
   return (who & ~in_doubt) | member.shape->inside_block(points, in_doubt);
 }
 
-/// Of the points in `who`, those that are inside of all members; own(member) tells which points need not be inside of
+/// Returns those points in `who` that are inside of all members; own(member) tells which points need not be inside of
 /// it.
 template <class Own>
 std::uint64_t Solid::inside_all_members(const Columns3<double>& points, std::uint64_t who, const Own& own) const {
@@ -293,7 +293,7 @@ std::uint64_t Solid::inside_all_members(const Columns3<double>& points, std::uin
   return who;
 }
 
-/// Of the points in `who`, those that are inside of any member, but for what own(member) tells.
+/// Returns those points in `who` that are inside of any member, but for what own(member) tells.
 template <class Own>
 std::uint64_t Solid::inside_any_member(const Columns3<double>& points, std::uint64_t who, std::uint8_t hiding,
                                        const Own& own) const {

@@ -27,9 +27,10 @@ inline std::uint8_t hiding_in(Solid::Kind kind, std::uint8_t hidden_bit) {
   }
 }
 
-/// What a solid is made of that is not plain.
+/// Parts of a solid that is not plain.
 struct Solid::Structure {
-  /// Of many members: those whose surface a ray may meet, and those that may decide whether a point is inside.
+  /// Trees over many members: over those whose surface a ray may meet, and those that may decide whether a point is
+  /// inside.
   struct MemberTrees {
     BoxTree surface;
     BoxTree deciding;

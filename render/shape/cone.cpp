@@ -172,7 +172,7 @@ FIRSTLIGHT_INSIDE_MEMBERS(Cylinder)
 FIRSTLIGHT_MEET_MEMBERS(Cone)
 FIRSTLIGHT_INSIDE_MEMBERS(Cone)
 
-/// What has no height or no width is never met and holds no point.
+/// A cone without height or width is never met and holds no point.
 ShapePtr nothing_at(const Vec3& place) { return make_sphere(place, 0.0); }
 
 }  // namespace

@@ -157,8 +157,8 @@ bool is_inside(const Formula& formula, const Vec3& point, bool inverted) {
 }  // namespace firstlight::render
 HWY_AFTER_NAMESPACE();
 
-// What the formulas of a struct are for others. Of each pair the first stands in HWY_NAMESPACE, the second behind
-// HWY_ONCE, where it defines those members of the struct that render/shape/placed.h tells of.
+// Pairs of macros offer the formulas of a struct to others. The first of a pair stands in HWY_NAMESPACE, the second
+// behind HWY_ONCE, where it defines those members of the struct that render/shape/placed.h tells of.
 
 #define FIRSTLIGHT_MEET_KERNEL(Formula)                                                                              \
   void meet_##Formula(const Formula& formula, const Transform& transform, const RayColumns& rays, std::uint64_t who, \

@@ -14,7 +14,7 @@
 namespace firstlight::render {
 namespace {
 
-/// What lies below the plane normal . p + offset = 0.
+/// The half of space below the plane normal . p + offset = 0.
 struct HalfSpace {
   static constexpr std::size_t kSlots = 1;
   Vec3 normal;

@@ -61,7 +61,7 @@ class Shape {
   /// given, with what nearest() tells of them. When there is no room for a slot, the rest is left out.
   virtual void meet_block(const RayColumns& rays, std::uint64_t who, const DepthWindow* nearest_only,
                           Slots& slots) const;
-  /// Of the points whose bits are in `who`, the bits of those that are in the solid.
+  /// Returns the bits of those points in `who` that are in the solid.
   virtual std::uint64_t inside_block(const Columns3<double>& points, std::uint64_t who) const;
   /// Whether the two work on many rays and points at once, and not on one after the other.
   virtual bool is_over_lanes() const { return false; }

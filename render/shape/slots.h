@@ -13,7 +13,7 @@ namespace firstlight::render {
 
 /// Crossings of the rays of a block with one shape: at most one of each ray.
 struct Slot {
-  /// What not all of its crossings have in common.
+  /// Facts that not all of its crossings have in common.
   struct Details {
     Column<double> face;
     std::array<Column<double>, 2> place;
@@ -97,8 +97,8 @@ struct NearestCrossings {
   std::size_t slot_of(std::size_t ray) const { return static_cast<std::size_t>(slot[ray]); }
 };
 
-/// Of the crossings in the slots from `first` on, the nearest of each ray in `who` within the window; of equal depths
-/// the last.
+/// Finds the nearest crossing of each ray in `who` within the window, in the slots from `first` on; the last of equal
+/// depths.
 void find_nearest(const Slots& slots, std::size_t first, std::uint64_t who, const DepthWindow& window,
                   NearestCrossings& nearest);
 

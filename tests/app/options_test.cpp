@@ -144,7 +144,7 @@ TEST(Options, WhatCannotChangeThePictureIsAccepted) {
 TEST(Options, WhatWouldChangeThePictureIsRefusedByItsName) {
   for (const char* word : {"+Q4",        "+SC10",      "+EC0.5", "+SR1", "+ER20", "+KFF10", "+KFI1",  "+KI0",
                            "+KF1",       "+KC",        "+UA",    "+UF",  "+TH",   "+THB4",  "+MV3.5", "+HIhead.inc",
-                           "+GIout.ini", "+GAlog.txt", "+RTR",   "+SF2", "+EF5",  "+FS",    "+FN16",  "+O-"}) {
+                           "+GIout.ini", "+GAlog.txt", "+RTR",   "+SF2", "+EF5",  "+FS",    "+FT16"  "+O-"}) {
     EXPECT_NE(complaint({word}).find(word), std::string::npos) << complaint({word});
   }
 }
@@ -237,15 +237,20 @@ TEST(Options, FileTypesHaveTheDepthThatIsAskedForOrAreRefused) {
   for (const char type : {'N', 'T', 'C', 'P', 'B'}) {
     const std::string option = std::string("+F") + type;
     for (const char* bits : {"", "5", "8"}) EXPECT_EQ(good({option + bits}).file_type, type);
+    const bool has_words = type == 'N' || type == 'P';
     for (const char* bits : {"1", "4", "9", "12", "16", "32"}) {
-      EXPECT_NE(complaint({option + bits}).find("are written with 8 bits"), std::string::npos) << option << bits;
+      if (has_words && std::string_view(bits) == "16") continue;
+      EXPECT_NE(complaint({option + bits}).find(has_words ? "with 8 or 16 bits" : "with 8 bits"), std::string::npos)
+          << option << bits;
     }
   }
+  EXPECT_EQ(good({"+FN16"}).bits, 16);
+  EXPECT_EQ(good({"Output_File_Type=P16"}).bits, 16);
   EXPECT_EQ(good({"+FE32"}).bits, 32);
   EXPECT_EQ(good({"+FH8"}).bits, 8);
   EXPECT_NE(complaint({"+FE16"}).find("OpenEXR files are written with 32 bits"), std::string::npos);
   EXPECT_NE(complaint({"+FH16"}).find("Radiance files are written with 8 bits"), std::string::npos);
-  EXPECT_NE(complaint({"Output_File_Type=P16"}).find("+FP16"), std::string::npos);
+  EXPECT_NE(complaint({"Output_File_Type=T16"}).find("+FT16"), std::string::npos);
   for (const char* word : {"+FJ90", "+FJ8", "+FJ100"}) {
     EXPECT_NE(complaint({word}).find("quality"), std::string::npos) << word;
   }
@@ -255,6 +260,16 @@ TEST(Options, FileTypesHaveTheDepthThatIsAskedForOrAreRefused) {
   EXPECT_NE(complaint({"+FN8x"}).find("expected bits per channel"), std::string::npos);
   EXPECT_NE(complaint({"+FN-8"}).find("expected bits per channel"), std::string::npos);
   EXPECT_EQ(good({"+FN8", "+FE"}).bits, 0) << "the number belongs to its type";
+}
+
+TEST(Options, FilesHaveAGammaOfTheirOwn) {
+  EXPECT_EQ(good({}).file_gamma, 0.0);
+  EXPECT_EQ(good({"File_Gamma=2.2"}).file_gamma, 2.2);
+  EXPECT_EQ(good({"File_Gamma=2.2", "file_gamma=sRGB"}).file_gamma, 0.0);
+  EXPECT_EQ(good({"Display_Gamma=sRGB"}).file_gamma, 0.0);
+  for (const char* word : {"File_Gamma=0", "File_Gamma=-1", "File_Gamma=inf", "File_Gamma=x", "File_Gamma="}) {
+    EXPECT_NE(complaint({word}).find("expected sRGB or a number above 0"), std::string::npos) << word;
+  }
 }
 
 TEST(Options, SamplesWithoutNumberAreRefused) {

@@ -99,6 +99,27 @@ TEST(Encoding, FollowsTheScenesGamma) {
   EXPECT_EQ(file_encoding(settings).byte(0.5f), Encoding::linear().byte(0.25f));
 }
 
+TEST(Encoding, FilesMayHaveAGammaOfTheirOwn) {
+  EXPECT_EQ(Encoding::linear().with_file_gamma(2.0).byte(0.25f), 128);
+  EXPECT_EQ(Encoding::linear().with_file_gamma(1.0).byte(0.5f), 128);
+  EXPECT_EQ(Encoding::power(2.0).with_file_gamma(2.0).byte(0.5f), 128) << "two powers that undo each other";
+  EXPECT_EQ(Encoding::power(4.0).with_file_gamma(2.0).byte(0.5f), 64);
+  EXPECT_EQ(Encoding::srgb().byte(0.5f), 128);
+  EXPECT_EQ(Encoding::srgb().with_file_gamma(1.0).byte(0.5f), 55);
+  EXPECT_EQ(Encoding::as_is().with_file_gamma(3.0).byte(0.5f), 128) << "no gamma is managed";
+}
+
+TEST(Encoding, WordsHaveSixteenBits) {
+  EXPECT_EQ(Encoding::as_is().word(0.5f), 32768);
+  EXPECT_EQ(Encoding::linear().word(2.0f), 65535);
+  EXPECT_EQ(Encoding::linear().word(-1.0f), 0);
+  EXPECT_EQ(Encoding::linear().word(std::numeric_limits<float>::quiet_NaN()), 0);
+  const std::array colors{Rgb(0.0f, 0.5f, 1.0f)};
+  std::array<std::uint8_t, 6> bytes{};
+  encode_words(colors, Encoding::as_is(), bytes);
+  EXPECT_EQ(bytes, (std::array<std::uint8_t, 6>{0, 0, 128, 0, 255, 255}));
+}
+
 TEST(Encoding, OfManyColorsIsThatOfEach) {
   std::vector<Rgb> colors;
   const auto add = [&](std::uint32_t bits) {

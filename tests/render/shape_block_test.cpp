@@ -114,7 +114,7 @@ class SolidMaker {
   std::vector<NamedShape> shapes_;
 };
 
-/// What Solid::meet() is to find for one ray.
+/// The crossing that Solid::meet() is to find for one ray.
 std::optional<Crossing> nearest_alone(const Solid& solid, const Ray& ray, std::uint8_t hidden_bit, double low,
                                       double high, const std::vector<bool>* opaque_parts) {
   std::vector<Crossing> all;

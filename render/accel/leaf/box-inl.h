@@ -56,7 +56,7 @@ HWY_INLINE void meet_leaf(const BoxLeaf& leaf, std::uint64_t who, Search& search
     for (std::size_t k = 0; k < 2; ++k) {
       box.met[k] = box.met[k] & (box.depth[k] > low) & (box.depth[k] >= entered) & (box.depth[k] <= limit);
     }
-    // Of equal depths the last is seen, as of all crossings of one solid.
+    // The last of equal depths is seen, as with all crossings of one solid.
     const auto first = box.met[0] & (!box.met[1] | (box.depth[0] < box.depth[1]));
     store(select(first, box.depth[0], box.depth[1]), depth, i);
     store(select(first, box.face[0], box.face[1]), face, i);

@@ -61,7 +61,7 @@ HWY_INLINE void find_window(const SolidLeaf& leaf, const Column<double>& from, c
     const auto entered = leaf.is_cramped ? min_depth : load<Lanes>(from, i);
     store(select(entered > min_depth, add_to_bits(entered, -1), min_depth), low, i);
     const auto limit = load<Lanes>(search.limits(), i);
-    // What blocks a feeler lies before its end.
+    // A feeler is blocked only before its end.
     store(Search::kAsksForOpaque ? add_to_bits(limit, -1) : limit, high, i);
   }
 }
