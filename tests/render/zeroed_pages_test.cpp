@@ -37,7 +37,7 @@ TEST(ZeroedPages, MoveWithWhatTheyHold) {
 }
 
 TEST(ZeroedPages, AreRefusedWhereThereIsNoRoom) {
-  EXPECT_THROW(ZeroedPages<std::uint8_t>(std::numeric_limits<std::size_t>::max()), std::bad_alloc);
+  EXPECT_THROW(ZeroedPages<std::uint8_t>{std::numeric_limits<std::size_t>::max()}, std::bad_alloc);
   EXPECT_THROW(ZeroedPages<std::uint8_t>(std::size_t{1} << 60), std::bad_alloc);
   EXPECT_THROW(ZeroedPages<std::uint64_t>(std::size_t{1} << 62), std::bad_alloc);
 }
