@@ -1,5 +1,7 @@
 #include "render/camera/camera.h"
 
+#include "render/lanes/math.h"
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -33,7 +35,7 @@ void look_at(Camera& camera, const Vec3& target) {
 
 void set_angle(Camera& camera, double degrees) {
   const double half = degrees * (std::numbers::pi / 360.0);
-  camera.direction = unit(camera.direction) * (0.5 * camera.right.length() / std::tan(half));
+  camera.direction = unit(camera.direction) * (0.5 * camera.right.length() / steady::tangent(half));
 }
 
 void widen_to_look_at(Camera& camera) {

@@ -1,6 +1,7 @@
 // Pictures on a cylinder around the location. Angles are even around it, lengths along it.
 
 #include "render/camera/projection.h"
+#include "render/lanes/math.h"
 
 namespace firstlight::render {
 
@@ -11,7 +12,7 @@ ProjectionPtr projection::make_cylinder_1(const Camera& camera) {
       camera, [at = camera.location, axes, width](double across, double upwards) -> std::optional<ProjectedRay> {
         const double x = across * width;
         const double y = upwards * axes.height;
-        return ProjectedRay{at, axes.right * std::sin(x) + axes.up * y + axes.direction * std::cos(x), x, y};
+        return ProjectedRay{at, axes.right * steady::sine(x) + axes.up * y + axes.direction * steady::cosine(x), x, y};
       });
 }
 
@@ -22,7 +23,7 @@ ProjectionPtr projection::make_cylinder_2(const Camera& camera) {
       camera, [at = camera.location, axes, height](double across, double upwards) -> std::optional<ProjectedRay> {
         const double x = across * axes.width;
         const double y = upwards * height;
-        return ProjectedRay{at, axes.right * x + axes.up * std::sin(y) + axes.direction * std::cos(y), x, y};
+        return ProjectedRay{at, axes.right * x + axes.up * steady::sine(y) + axes.direction * steady::cosine(y), x, y};
       });
 }
 
@@ -34,7 +35,7 @@ ProjectionPtr projection::make_cylinder_3(const Camera& camera) {
       [at = camera.location, axes, width](double across, double upwards) -> std::optional<ProjectedRay> {
         const double x = across * width;
         const double y = upwards * axes.height;
-        return ProjectedRay{at + axes.up * y, axes.right * std::sin(x) + axes.direction * std::cos(x), x, y};
+        return ProjectedRay{at + axes.up * y, axes.right * steady::sine(x) + axes.direction * steady::cosine(x), x, y};
       });
 }
 
@@ -46,7 +47,7 @@ ProjectionPtr projection::make_cylinder_4(const Camera& camera) {
       [at = camera.location, axes, height](double across, double upwards) -> std::optional<ProjectedRay> {
         const double x = across * axes.width;
         const double y = upwards * height;
-        return ProjectedRay{at + axes.right * x, axes.up * std::sin(y) + axes.direction * std::cos(y), x, y};
+        return ProjectedRay{at + axes.right * x, axes.up * steady::sine(y) + axes.direction * steady::cosine(y), x, y};
       });
 }
 

@@ -1,5 +1,6 @@
 #include "render/camera/lens_grid.h"
 
+#include "render/lanes/math.h"
 #include "render/math/halton.h"
 
 #include <algorithm>
@@ -86,7 +87,7 @@ LensGrid begin_of_round_lens(int samples) {
 LensPoint point_of_disc(std::uint64_t index) {
   const double radius = std::sqrt(halton(index, 2) * (kRadius * kRadius));
   const double angle = halton(index, 3) * (2.0 * std::numbers::pi);
-  return {radius * std::cos(angle), radius * std::sin(angle)};
+  return {radius * steady::cosine(angle), radius * steady::sine(angle)};
 }
 
 /// The square about the disc in small squares, an odd number along each side.

@@ -1,4 +1,5 @@
 #include "render/camera/round.h"
+#include "render/lanes/math.h"
 
 #include <algorithm>
 
@@ -30,7 +31,7 @@ ProjectionPtr projection::make_omnimax(const Camera& camera) {
         const double cube = radius * radius * radius;
         const double off_axis = 1.411269 * radius - 0.09439 * cube + 0.25674 * cube * radius * radius;
         const double around = angle_on_disc(x, y, radius);
-        if (std::sin(around) * std::sin(off_axis) < kLowest * std::cos(off_axis)) return std::nullopt;
+        if (steady::sine(around) * steady::sine(off_axis) < kLowest * steady::cosine(off_axis)) return std::nullopt;
         return ray_off_axis(at, axes, around, off_axis);
       });
 }

@@ -1,4 +1,5 @@
 #include "render/camera/projection.h"
+#include "render/lanes/math.h"
 
 #include <numbers>
 
@@ -20,10 +21,10 @@ ProjectionPtr projection::make_panoramic(const Camera& camera) {
                           const double latitude = std::numbers::pi * upwards;
                           const double rise = std::abs(std::numbers::pi / 2 - std::abs(latitude)) < kUpright
                                                   ? std::copysign(kSteepest, latitude)
-                                                  : std::tan(latitude);
-                          return ProjectedRay{at,
-                                              right * std::cos(longitude) + up * rise + direction * std::sin(longitude),
-                                              longitude, latitude};
+                                                  : steady::tangent(latitude);
+                          return ProjectedRay{
+                              at, right * steady::cosine(longitude) + up * rise + direction * steady::sine(longitude),
+                              longitude, latitude};
                         });
 }
 

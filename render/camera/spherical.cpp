@@ -1,12 +1,13 @@
 #include "render/camera/projection.h"
+#include "render/lanes/math.h"
 
 namespace firstlight::render {
 namespace {
 
 /// `v` turned about `axis`, of unit length, by Rodrigues' formula.
 Vec3 turned(const Vec3& v, const Vec3& axis, double angle) {
-  const double cosine = std::cos(angle);
-  return v * cosine + axis.cross(v) * std::sin(angle) + axis * (axis.dot(v) * (1.0 - cosine));
+  const double cosine = steady::cosine(angle);
+  return v * cosine + axis.cross(v) * steady::sine(angle) + axis * (axis.dot(v) * (1.0 - cosine));
 }
 
 }  // namespace

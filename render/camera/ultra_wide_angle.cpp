@@ -1,4 +1,5 @@
 #include "render/camera/projection.h"
+#include "render/lanes/math.h"
 
 namespace firstlight::render {
 
@@ -12,8 +13,10 @@ ProjectionPtr projection::make_ultra_wide_angle(const Camera& camera) {
       [at = camera.location, axes, width, height](double across, double upwards) -> std::optional<ProjectedRay> {
         const double x = across * width;
         const double y = upwards * height;
-        return ProjectedRay{
-            at, axes.right * std::sin(x) + axes.up * std::sin(y) + axes.direction * (std::cos(x) * std::cos(y)), x, y};
+        return ProjectedRay{at,
+                            axes.right * steady::sine(x) + axes.up * steady::sine(y) +
+                                axes.direction * (steady::cosine(x) * steady::cosine(y)),
+                            x, y};
       });
 }
 

@@ -1,5 +1,7 @@
 #include "render/math/chi_square.h"
 
+#include "render/lanes/math.h"
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -14,8 +16,8 @@ constexpr int kMostSteps = 100000;
 /// log Gamma(degrees / 2); std::lgamma writes to a global.
 double log_gamma_of_half(int degrees) {
   double a = degrees % 2 == 0 ? 1.0 : 0.5;
-  double sum = degrees % 2 == 0 ? 0.0 : 0.5 * std::log(std::numbers::pi);
-  for (; a < 0.5 * degrees; a += 1.0) sum += std::log(a);
+  double sum = degrees % 2 == 0 ? 0.0 : 0.5 * steady::logarithm(std::numbers::pi);
+  for (; a < 0.5 * degrees; a += 1.0) sum += steady::logarithm(a);
   return sum;
 }
 
@@ -23,7 +25,7 @@ double log_gamma_of_half(int degrees) {
 /// a continued fraction. `log_gamma`: of a.
 double upper_tail(double a, double x, double log_gamma) {
   if (x <= 0.0) return 1.0;
-  const double front = std::exp(a * std::log(x) - x - log_gamma);
+  const double front = steady::exponential(a * steady::logarithm(x) - x - log_gamma);
   if (x < a + 1.0) {
     double term = 1.0 / a;
     double sum = term;
@@ -63,7 +65,7 @@ double chi_square_quantile(int degrees, double tail) {
   for (int round = 0; round < 200; ++round) {
     const double excess = upper_tail(a, x, log_gamma) - tail;
     (excess > 0.0 ? low : high) = x;
-    const double density = std::exp((a - 1.0) * std::log(x) - x - log_gamma);
+    const double density = steady::exponential((a - 1.0) * steady::logarithm(x) - x - log_gamma);
     double next = x + excess / density;  // Newton's step, where it stays within what is known
     if (!(next > low && next < high)) next = 0.5 * (low + high);
     const bool is_found = std::abs(next - x) <= 4.0 * kSmall * x;

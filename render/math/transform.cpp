@@ -1,5 +1,6 @@
 #include "render/math/transform.h"
 
+#include "render/lanes/math.h"
 #include "render/math/bounds.h"
 
 #include <cmath>
@@ -56,8 +57,8 @@ Vec3 apply(const Vec3& p, const Mat4& m) {
 /// Turns by `radians` in the plane of two axes, from `from` towards `to`.
 Mat4 turn(double radians, int from, int to) {
   Mat4 m;
-  const double c = std::cos(radians);
-  const double s = std::sin(radians);
+  const double c = steady::cosine(radians);
+  const double s = steady::sine(radians);
   m[from][from] = c;
   m[to][to] = c;
   m[from][to] = s;
@@ -105,8 +106,8 @@ Transform Transform::rotation_about(const Vec3& axis, double degrees) {
 Transform Transform::turning(const Vec3& axis, double radians) {
   const Vec3 u = unit(axis);
   if (!(u.length2() > 0.0) || radians == 0.0) return Transform();
-  const double c = std::cos(radians);
-  const double s = std::sin(radians);
+  const double c = steady::cosine(radians);
+  const double s = steady::sine(radians);
   Mat4 matrix;
   // Rodrigues' rotation as a matrix for row vectors: u u^T (1 - c) + I c + [u]x^T s.
   for (int i = 0; i < 3; ++i) {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "render/lanes/math.h"
 #include "render/math/transform.h"
 
 #include <cmath>
@@ -18,7 +19,7 @@ inline Transform from_canonical(const Vec3& origin, const Vec3& axis, double rad
     cosine = axis.z < 0.0 ? -1.0 : 1.0;
   }
   return Transform::scaling(Vec3(radius, radius, height))
-      .then(Transform::turning(turn_axis, std::acos(cosine)))
+      .then(Transform::turning(turn_axis, steady::arc_cosine(cosine)))
       .then(Transform::translation(origin));
 }
 

@@ -1,5 +1,7 @@
 #include "render/shape/hypercomplex.h"
 
+#include "render/lanes/math.h"
+
 #include <cmath>
 
 namespace firstlight::render {
@@ -21,45 +23,50 @@ Complex quotient(const Complex& a, const Complex& b) {
 Complex root(const Complex& z) {
   if (z.real() == 0.0 && z.imag() == 0.0) return {};
   const double size = std::sqrt(std::sqrt(z.real() * z.real() + z.imag() * z.imag()));
-  const double angle = std::atan2(z.imag(), z.real()) / 2.0;
-  return {size * std::cos(angle), size * std::sin(angle)};
+  const double angle = steady::arc_tangent(z.imag(), z.real()) / 2.0;
+  return {size * steady::cosine(angle), size * steady::sine(angle)};
 }
 
 Complex logarithm(const Complex& z) {
-  return {std::log(std::sqrt(z.real() * z.real() + z.imag() * z.imag())), std::atan2(z.imag(), z.real())};
+  return {steady::logarithm(std::sqrt(z.real() * z.real() + z.imag() * z.imag())),
+          steady::arc_tangent(z.imag(), z.real())};
 }
 
 Complex exponential(const Complex& z) {
-  const double size = std::exp(z.real());
-  return {size * std::cos(z.imag()), size * std::sin(z.imag())};
+  const double size = steady::exponential(z.real());
+  return {size * steady::cosine(z.imag()), size * steady::sine(z.imag())};
 }
 
 Complex sine(const Complex& z) {
-  return {std::sin(z.real()) * std::cosh(z.imag()), std::cos(z.real()) * std::sinh(z.imag())};
+  return {steady::sine(z.real()) * steady::hyperbolic_cosine(z.imag()),
+          steady::cosine(z.real()) * steady::hyperbolic_sine(z.imag())};
 }
 
 Complex hyperbolic_sine(const Complex& z) {
-  return {std::sinh(z.real()) * std::cos(z.imag()), std::cosh(z.real()) * std::sin(z.imag())};
+  return {steady::hyperbolic_sine(z.real()) * steady::cosine(z.imag()),
+          steady::hyperbolic_cosine(z.real()) * steady::sine(z.imag())};
 }
 
 Complex cosine(const Complex& z) {
-  return {std::cos(z.real()) * std::cosh(z.imag()), -std::sin(z.real()) * std::sinh(z.imag())};
+  return {steady::cosine(z.real()) * steady::hyperbolic_cosine(z.imag()),
+          -steady::sine(z.real()) * steady::hyperbolic_sine(z.imag())};
 }
 
 Complex hyperbolic_cosine(const Complex& z) {
-  return {std::cosh(z.real()) * std::cos(z.imag()), std::sinh(z.real()) * std::sin(z.imag())};
+  return {steady::hyperbolic_cosine(z.real()) * steady::cosine(z.imag()),
+          steady::hyperbolic_sine(z.real()) * steady::sine(z.imag())};
 }
 
 Complex tangent(const Complex& z) {
-  const double below = std::cos(2.0 * z.real()) + std::cosh(2.0 * z.imag());
+  const double below = steady::cosine(2.0 * z.real()) + steady::hyperbolic_cosine(2.0 * z.imag());
   if (below == 0.0) return {};
-  return {std::sin(2.0 * z.real()) / below, std::sinh(2.0 * z.imag()) / below};
+  return {steady::sine(2.0 * z.real()) / below, steady::hyperbolic_sine(2.0 * z.imag()) / below};
 }
 
 Complex hyperbolic_tangent(const Complex& z) {
-  const double below = std::cosh(2.0 * z.real()) + std::cos(2.0 * z.imag());
+  const double below = steady::hyperbolic_cosine(2.0 * z.real()) + steady::cosine(2.0 * z.imag());
   if (below == 0.0) return {};
-  return {std::sinh(2.0 * z.real()) / below, std::sin(2.0 * z.imag()) / below};
+  return {steady::hyperbolic_sine(2.0 * z.real()) / below, steady::sine(2.0 * z.imag()) / below};
 }
 
 /// ln(i z + sqrt(1 - z^2)) / i
@@ -90,17 +97,17 @@ Complex hyperbolic_arc_sine(const Complex& z) {
 
 /// ln((1 + z) / (1 - z)) / 2
 Complex hyperbolic_arc_tangent(const Complex& z) {
-  if (z.real() == 0.0) return {0.0, std::atan(z.imag())};
+  if (z.real() == 0.0) return {0.0, steady::arc_tangent(z.imag())};
   if (z.imag() == 0.0) {
     if (std::abs(z.real()) == 1.0) return {};
-    if (std::abs(z.real()) < 1.0) return {std::log((1.0 + z.real()) / (1.0 - z.real())) / 2.0, 0.0};
+    if (std::abs(z.real()) < 1.0) return {steady::logarithm((1.0 + z.real()) / (1.0 - z.real())) / 2.0, 0.0};
   }
   return logarithm(quotient({1.0 + z.real(), z.imag()}, {1.0 - z.real(), -z.imag()})) * 0.5;
 }
 
 /// i ln((1 - i z) / (1 + i z)) / 2
 Complex arc_tangent(const Complex& z) {
-  if (z.imag() == 0.0) return {std::atan(z.real()), 0.0};
+  if (z.imag() == 0.0) return {steady::arc_tangent(z.real()), 0.0};
   if (z.real() == 0.0) {
     const Complex turned = hyperbolic_arc_tangent({z.imag(), 0.0});
     return {-turned.imag(), turned.real()};
@@ -113,8 +120,8 @@ Complex power(const Complex& z, const Complex& exponent) {
   if (z.real() == 0.0 && z.imag() == 0.0) return {};
   const Complex l = product(logarithm(z), exponent);
   constexpr double kLeast = -690.0;  // below, POV-Ray takes the exponential for 0
-  const double size = l.real() < kLeast ? 0.0 : std::exp(l.real());
-  return {size * std::cos(l.imag()), size * std::sin(l.imag())};
+  const double size = l.real() < kLeast ? 0.0 : steady::exponential(l.real());
+  return {size * steady::cosine(l.imag()), size * steady::sine(l.imag())};
 }
 
 /// A function that needs no exponent.
@@ -126,8 +133,8 @@ Complex plain(const Complex& z, const Complex&) {
 }  // namespace
 
 bool hyper_reciprocal(const Vec4& a, Vec4& result) {
-  const double below = ((a.x - a.w) * (a.x - a.w) + (a.y + a.z) * (a.y + a.z)) *
-                       ((a.x + a.w) * (a.x + a.w) + (a.y - a.z) * (a.y - a.z));
+  const double below =
+      ((a.x - a.w) * (a.x - a.w) + (a.y + a.z) * (a.y + a.z)) * ((a.x + a.w) * (a.x + a.w) + (a.y - a.z) * (a.y - a.z));
   if (below == 0.0) return false;
   const double square = a.x * a.x + a.y * a.y + a.z * a.z + a.w * a.w;
   const double mixed = a.x * a.w - a.y * a.z;

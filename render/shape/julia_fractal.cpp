@@ -1,5 +1,6 @@
 #include "render/shape/julia_fractal.h"
 
+#include "render/lanes/math.h"
 #include "render/math/interrupt.h"
 #include "render/shape/hypercomplex.h"
 #include "render/shape/placed.h"
@@ -69,7 +70,7 @@ struct QuaternionPower {
       share /= kPower;
     }
     const double square = size(orbit[last]);
-    return share * std::sqrt(square / square_length(product)) * std::log(square);
+    return share * std::sqrt(square / square_length(product)) * steady::logarithm(square);
   }
   /// The derivatives of the last value by x, y and z of the first, each times that value.
   Vec3 normal(const Orbit& orbit, std::size_t last) const {
@@ -207,9 +208,7 @@ struct JuliaFractal {
       march.step = next_step;
     }
   }
-  bool inside(const Vec3& point, bool inverted) const {
-    return March{*this, Vec3(0.0)}.holds(point) != inverted;
-  }
+  bool inside(const Vec3& point, bool inverted) const { return March{*this, Vec3(0.0)}.holds(point) != inverted; }
   Vec3 normal(const Vec3&, const Crossing& at) const {
     const double x = at.place[0];
     const double y = at.place[1];

@@ -1,5 +1,6 @@
 #include "render/shape/profile.h"
 
+#include "render/lanes/math.h"
 #include "render/math/polynomial.h"
 #include "render/shape/tolerance.h"
 
@@ -91,7 +92,7 @@ std::size_t crossings_beside(const ProfileSegment& segment, double u, double v) 
 double turn_about_y(double x, double z) {
   const double squared = x * x + z * z;
   if (!(squared > kEpsilon)) return 0.0;
-  const double angle = std::acos(std::clamp(x / std::sqrt(squared), -1.0, 1.0));
+  const double angle = steady::arc_cosine(std::clamp(x / std::sqrt(squared), -1.0, 1.0));
   constexpr double kTurn = 2.0 * std::numbers::pi;
   return (z < 0.0 ? kTurn - angle : angle) / kTurn;
 }

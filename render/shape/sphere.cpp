@@ -1,5 +1,6 @@
 #include "render/shape/sphere.h"
 
+#include "render/lanes/math.h"
 #include "render/shape/placed.h"
 #include "render/shape/primitives.h"
 #include "render/shape/tolerance.h"
@@ -166,10 +167,10 @@ Vec2 sphere_uv(const Vec3& from_center) {
   const double length = from_center.length();
   if (length == 0.0) return Vec2(0.0);
   const Vec3 d = from_center / length;
-  const double latitude = 0.5 + std::asin(std::clamp(d.y, -1.0, 1.0)) / std::numbers::pi;
+  const double latitude = 0.5 + steady::arc_sine(std::clamp(d.y, -1.0, 1.0)) / std::numbers::pi;
   const double around = std::sqrt(d.x * d.x + d.z * d.z);
   if (!(around * around > kEpsilon)) return Vec2(0.0, latitude);
-  const double angle = std::acos(std::clamp(d.x / around, -1.0, 1.0));
+  const double angle = steady::arc_cosine(std::clamp(d.x / around, -1.0, 1.0));
   constexpr double kTurn = 2.0 * std::numbers::pi;
   return Vec2((d.z < 0.0 ? kTurn - angle : angle) / kTurn, latitude);
 }

@@ -1,7 +1,9 @@
 #include "render/shape/superellipsoid.h"
 
+#include "render/lanes/math.h"
 #include "render/shape/box.h"
 #include "render/shape/placed.h"
+#include "render/shape/superellipsoid_value.h"
 #include "render/shape/tolerance.h"
 
 #include <algorithm>
@@ -20,26 +22,16 @@ constexpr int kMostRounds = 20;
 /// Planes between which the surface is smooth: each ray is looked at from one to the next.
 const std::array<Vec3, 9> kPlanes = {Vec3(1, 1, 0),  Vec3(1, -1, 0), Vec3(1, 0, 1), Vec3(1, 0, -1), Vec3(0, 1, 1),
                                      Vec3(0, 1, -1), Vec3(1, 0, 0),  Vec3(0, 1, 0), Vec3(0, 0, 1)};
-
-/// (a^e + b^e)^(1/e)
-double norm(double a, double b, double e) {
-  const double larger = std::max(a, b);
-  if (larger == 0.0) return 0.0;
-  const double sum = 1.0 + std::pow(std::min(a, b) / larger, e);
-  return sum != 1.0 ? larger * std::pow(sum, 1.0 / e) : larger;
-}
+static_assert(2 * (kPlanes.size() + 2) <= std::tuple_size<SuperellipsoidValue::Several>());
 
 struct Superellipsoid {
-  double around;  ///< 2 / e
-  double along;   ///< 2 / n
+  using Several = SuperellipsoidValue::Several;
 
-  double value(const Vec3& p) const {
-    return norm(norm(std::abs(p.x), std::abs(p.y), around), std::abs(p.z), along) - 1.0;
-  }
+  SuperellipsoidValue value;
 
   void meet(const Ray& given, Met& met) const {
     const auto [length, ray] = UnitRay(given);
-    std::array<double, kPlanes.size() + 2> stops;
+    Several stops{};
     const std::size_t count = find_stops(ray, stops);
     if (count == 0) return;
     const auto add = [&met, l = length](double depth) {
@@ -48,35 +40,39 @@ struct Superellipsoid {
       met.add(at);
       return true;
     };
-    double before = value(ray.at(stops[0]));
+    // A step behind each stop tells mostly that the surface is not met before the next.
+    for (std::size_t i = 1; i < count; ++i) stops[count + i - 1] = step_behind(stops[i - 1], stops[i]);
+    const Several values = value.at(ray, stops, 2 * count - 1);
+    double before = values[0];
     if (std::abs(before) < kZero) add(stops[0]);
     for (std::size_t i = 1; i < count && !met.is_enough(); ++i) {
-      const double here = value(ray.at(stops[i]));
+      const double here = values[i];
       if (std::abs(here) < kZero) {
         add(stops[i]);
       } else if (before * here < 0.0) {
         add(root_between(ray, stops[i - 1], before, stops[i], here));
-      } else if (const std::optional<double> first = first_of_two(ray, stops[i - 1], before, stops[i])) {
+      } else if (const std::optional<double> first =
+                     first_of_two(ray, stops[i - 1], before, stops[i], values[count + i - 1])) {
         if (!add(*first)) return;
       }
       before = here;
     }
   }
-  bool inside(const Vec3& point, bool inverted) const { return (value(point) < kEpsilon) != inverted; }
+  bool inside(const Vec3& point, bool inverted) const { return (value.at(point) < kEpsilon) != inverted; }
   Vec3 normal(const Vec3& point, const Crossing&) const {
     Vec3 n = point;
     double ratio = 0.0;
     double top = 0.0;
     if (n.z != 0.0) {
-      top = std::pow(std::abs(n.z), along);
+      top = steady::power(std::abs(n.z), value.along);
       n.z = top / n.z;
     }
     if (std::abs(point.x) > std::abs(point.y)) {
-      ratio = std::pow(std::abs(point.y / point.x), around);
+      ratio = steady::power(std::abs(point.y / point.x), value.around);
       n.x = (1.0 - top) / point.x;
       n.y = point.y != 0.0 ? (1.0 - top) * ratio / point.y : 0.0;
     } else if (point.y != 0.0) {
-      ratio = std::pow(std::abs(point.x / point.y), around);
+      ratio = steady::power(std::abs(point.x / point.y), value.around);
       n.x = point.x != 0.0 ? (1.0 - top) * ratio / point.x : 0.0;
       n.y = (1.0 - top) / point.y;
     }
@@ -88,7 +84,7 @@ struct Superellipsoid {
 
  private:
   /// Where the ray meets the planes, within the box about the shape, in order.
-  static std::size_t find_stops(const Ray& ray, std::array<double, kPlanes.size() + 2>& stops) {
+  static std::size_t find_stops(const Ray& ray, Several& stops) {
     double near = -kBoundingHuge;
     double far = kBoundingHuge;
     for (int axis = 0; axis < 3; ++axis) {
@@ -117,44 +113,43 @@ struct Superellipsoid {
     std::sort(stops.begin(), stops.begin() + static_cast<std::ptrdiff_t>(count));
     return count;
   }
-  /// Between two depths at which the values have different signs: secant and halving together.
+  /// Between two depths at which the values have different signs: the secant's guess, depths ever nearer to it on both
+  /// sides, and the middle are looked at together.
   double root_between(const Ray& ray, double a, double at_a, double b, double at_b) const {
+    constexpr std::size_t kTogether = 8;
     for (int round = 0; round < kMostRounds; ++round) {
       if (std::abs(at_a) < kZero) return a;
       if (std::abs(at_b) < kZero) return b;
-      const double secant = a + (b - a) * (std::abs(at_a) / std::abs(at_b - at_a));
-      const double half = a + (b - a) * 0.5;
-      const double at_secant = value(ray.at(secant));
-      const double at_half = value(ray.at(half));
-      if (at_secant * at_half < 0.0) {
-        a = secant;
-        at_a = at_secant;
-        b = half;
-        at_b = at_half;
-        continue;
-      }
-      const bool secant_is_nearer = std::abs(at_secant) < std::abs(at_half);
-      const double next = secant_is_nearer ? secant : half;
-      const double at_next = secant_is_nearer ? at_secant : at_half;
-      if (at_a * at_next < 0.0) {
-        b = next;
-        at_b = at_next;
-      } else {
-        a = next;
-        at_a = at_next;
+      const double width = b - a;
+      const double secant = a + width * (std::abs(at_a) / std::abs(at_b - at_a));
+      Several depths = {secant - width / 8.0,   secant - width / 64.0, secant - width / 512.0, secant,
+                        secant + width / 512.0, secant + width / 64.0, secant + width / 8.0,   a + width * 0.5};
+      for (std::size_t i = 0; i < kTogether; ++i) depths[i] = std::clamp(depths[i], a, b);
+      std::sort(depths.begin(), depths.begin() + kTogether);
+      const Several values = value.at(ray, depths, kTogether);
+      for (std::size_t i = 0; i < kTogether; ++i) {
+        if (at_a * values[i] < 0.0) {
+          b = depths[i];
+          at_b = values[i];
+          break;
+        }
+        a = depths[i];
+        at_a = values[i];
       }
     }
     return std::abs(at_a) < std::abs(at_b) ? a : b;
   }
-  /// Between two depths at which the values have one sign there may be two roots: Newton's steps from the first.
-  std::optional<double> first_of_two(const Ray& ray, double a, double at_a, double b) const {
+  static double step_behind(double a, double b) { return a + 0.0001 * (b - a); }
+  /// Between two depths at which the values have one sign there may be two roots: Newton's steps from the
+  /// first. `here` is the value at step_behind(a, b).
+  std::optional<double> first_of_two(const Ray& ray, double a, double at_a, double b, double here) const {
     const double start = a;
     const double at_start = at_a;
-    double next = a + 0.0001 * (b - a);
+    double next = step_behind(a, b);
     const double longest = b - a;
     double value_before = at_start;
     for (int round = 0; a < b && round < kMostRounds; ++round) {
-      const double here = value(ray.at(next));
+      if (round > 0) here = value.at(ray.at(next));
       if (value_before * here < 0.0) return root_between(ray, start, value_before, next, here);
       if (std::abs(here) < kZero) return next;
       if ((value_before > 0.0 && here > value_before) || (value_before < 0.0 && here < value_before)) break;
@@ -172,7 +167,7 @@ struct Superellipsoid {
 }  // namespace
 
 ShapePtr make_superellipsoid(double east_west, double north_south) {
-  return std::make_shared<Placed<Superellipsoid>>(Superellipsoid{2.0 / east_west, 2.0 / north_south}, Transform());
+  return std::make_shared<Placed<Superellipsoid>>(Superellipsoid{{2.0 / east_west, 2.0 / north_south}}, Transform());
 }
 
 }  // namespace firstlight::render

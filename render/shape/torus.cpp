@@ -1,3 +1,4 @@
+#include "render/lanes/math.h"
 #include "render/math/polynomial.h"
 #include "render/shape/placed.h"
 #include "render/shape/primitives.h"
@@ -76,7 +77,7 @@ struct Torus {
   Vec2 uv(const Vec3& p, const Crossing&) const {
     const double from_circle = std::sqrt(p.x * p.x + p.z * p.z) - major;
     const auto turns = [](double angle) { return (angle + std::numbers::pi) / (2.0 * std::numbers::pi); };
-    return Vec2(1.0 - turns(std::atan2(p.z, p.x)), turns(std::atan2(p.y, from_circle)));
+    return Vec2(1.0 - turns(steady::arc_tangent(p.z, p.x)), turns(steady::arc_tangent(p.y, from_circle)));
   }
   Box3 bounds() const { return box(std::abs(major) + std::abs(minor)); }
   Box3 given_bounds() const { return box(std::abs(major + minor)); }

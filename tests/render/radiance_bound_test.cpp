@@ -250,7 +250,7 @@ TEST(RadianceBound, NoRayBringsMoreThanIsAtStake) {
     }
   }
   EXPECT_GT(known_scenes, 800 / static_cast<int>(kOneIn));
-  EXPECT_GT(rays, 100000u / kOneIn);
+  EXPECT_GT(rays, 90000u / kOneIn);
 }
 
 // ---- Pictures in progress -------------------------------------------------------------------------------------------
