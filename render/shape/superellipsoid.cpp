@@ -118,17 +118,16 @@ struct Superellipsoid {
   double root_between(const Ray& ray, double a, double at_a, double b, double at_b) const {
     constexpr std::size_t kTogether = 8;
     for (int round = 0; round < kMostRounds; ++round) {
-      if (std::abs(at_a) < kZero) return a;
-      if (std::abs(at_b) < kZero) return b;
       const double width = b - a;
       const double secant = a + width * (std::abs(at_a) / std::abs(at_b - at_a));
+      if (std::abs(at_a) < kZero || std::abs(at_b) < kZero) return secant;
       Several depths = {secant - width / 8.0,   secant - width / 64.0, secant - width / 512.0, secant,
                         secant + width / 512.0, secant + width / 64.0, secant + width / 8.0,   a + width * 0.5};
       for (std::size_t i = 0; i < kTogether; ++i) depths[i] = std::clamp(depths[i], a, b);
       std::sort(depths.begin(), depths.begin() + kTogether);
       const Several values = value.at(ray, depths, kTogether);
       for (std::size_t i = 0; i < kTogether; ++i) {
-        if (at_a * values[i] < 0.0) {
+        if (at_a * values[i] <= 0.0) {
           b = depths[i];
           at_b = values[i];
           break;
