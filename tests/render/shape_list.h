@@ -4,6 +4,7 @@
 #include "render/shape/primitives.h"
 #include "render/shape/quadric.h"
 #include "render/shape/slots.h"
+#include "render/shape/superellipsoid.h"
 
 #include <cmath>
 #include <cstddef>
@@ -18,7 +19,7 @@ struct NamedShape {
   ShapePtr shape;
 };
 
-/// Shapes about the origin whose formulas are over lanes, and one whose are not.
+/// Shapes about the origin whose formulas are over lanes, and some whose are not.
 inline std::vector<NamedShape> shapes_of_all_kinds() {
   const Transform turned = Transform::scaling(Vec3(1.3, 0.7, 1.0))
                                .then(Transform::rotation(Vec3(20.0, 30.0, 40.0)))
@@ -46,6 +47,7 @@ inline std::vector<NamedShape> shapes_of_all_kinds() {
       {"quadric", make_quadric(paraboloid)},
       {"turned quadric", make_quadric(paraboloid)->placed(turned)},
       {"torus", make_torus(0.9, 0.3)},
+      {"superellipsoid", make_superellipsoid(0.3, 0.7)},
   };
   const std::size_t count = shapes.size();
   for (std::size_t i = 0; i < count; ++i) shapes.push_back({"inverse " + shapes[i].name, shapes[i].shape->inverted()});
