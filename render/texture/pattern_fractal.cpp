@@ -134,18 +134,21 @@ constexpr int kLargestExponent = 33;
 template <class L>
 HWY_INLINE Complex<L> raised(AnyPowerOf power, const L& a, const L& b, const L& /*a2*/, const L& /*b2*/) {
   L powers_of_a[kLargestExponent + 1];
-  Twofold<L> power_of_a = {L(1.0), L(0.0)};
-  for (int k = 0; k <= power.exponent; ++k) {
+  powers_of_a[0] = L(1.0);
+  Twofold<L> power_of_a = {a, L(0.0)};
+  for (int k = 1; k < power.exponent; ++k) {
     powers_of_a[k] = power_of_a.high;
     power_of_a = times(power_of_a, a);
   }
-  Complex<L> sum = {L(0.0), L(0.0)};
-  double coefficient = 1.0;  // of a^(n-k) b^k, without its sign
-  Twofold<L> power_of_b = {L(1.0), L(0.0)};
-  for (int k = 0; k <= power.exponent; ++k) {
+  powers_of_a[power.exponent] = power_of_a.high;
+  Complex<L> sum = {powers_of_a[power.exponent], L(0.0)};
+  double coefficient = power.exponent;  // of a^(n-k) b^k, without its sign
+  Twofold<L> power_of_b = {b, L(0.0)};
+  for (int k = 1;; ++k) {
     const L term = coefficient * powers_of_a[power.exponent - k] * power_of_b.high;
     L& part = k % 2 == 0 ? sum.a : sum.b;
     part = k % 4 < 2 ? part + term : part - term;
+    if (k == power.exponent) break;
     coefficient = coefficient * (power.exponent - k) / (k + 1);
     power_of_b = times(power_of_b, b);
   }
