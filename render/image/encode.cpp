@@ -8,11 +8,6 @@
 namespace firstlight::render {
 namespace {
 
-// The sRGB curve in single precision, as POV-Ray computes it.
-float to_srgb(float light) {
-  return light <= 0.0031308f ? light * 12.92f : 1.055f * std::pow(light, 1.0f / 2.4f) - 0.055f;
-}
-
 // ByteTable knows numbers from 2^-12 to 2. Smaller ones are nearly black, and larger ones rare.
 constexpr unsigned kRangeBits = 13;
 constexpr std::uint32_t kWithinRange = (1u << kRangeBits) - 1;
@@ -21,61 +16,33 @@ constexpr std::uint32_t kRanges = (std::bit_cast<std::uint32_t>(2.0f) >> kRangeB
 constexpr std::uint16_t kSeveral = 256;
 constexpr std::uint16_t kUnknown = 257;
 
-float from_srgb(float value) { return value < 0.04045f ? value / 12.92f : std::pow((value + 0.055f) / 1.055f, 2.4f); }
-
-// POV-Ray's tolerance of powers, on what it raises light to.
-bool is_one(double exponent) { return std::abs(1.0 - exponent) <= 0.01; }
-
-float raised(float value, float exponent) { return std::pow(std::max(value, 0.0f), exponent); }
-
 }  // namespace
 
-Encoding::Encoding(Working working, double exponent) : working_(working), working_exponent_(exponent) {
-  if (working != Working::power) return;
-  encoding_ = Curve::srgb;
-  if (exponent == 1.0) return;
-  decoding_ = Curve::power;
-  decoding_exponent_ = static_cast<float>(exponent);
+Encoding Encoding::as_is() {
+  Encoding encoding = srgb();
+  encoding.is_managed_ = false;
+  return encoding;
 }
-
-Encoding Encoding::power(double exponent) { return {Working::power, is_one(1.0 / exponent) ? 1.0 : exponent}; }
 
 Encoding Encoding::with_file_gamma(double gamma) const {
   Encoding changed = *this;
-  if (working_ == Working::unmanaged) return changed;
-  // One power instead of two.
-  const double exponent = working_ == Working::power ? working_exponent_ / gamma : 1.0 / gamma;
-  changed.decoding_ = working_ == Working::srgb ? Curve::srgb : Curve::none;
-  changed.encoding_ = is_one(exponent) ? Curve::none : Curve::power;
-  changed.encoding_exponent_ = static_cast<float>(exponent);
+  if (is_managed_) changed.to_file_ = Transcoding(working_, TransferCurve::of_power(gamma));
   return changed;
 }
 
-float Encoding::file_number(float working) const {
-  float value = working;
-  if (decoding_ == Curve::power) value = raised(value, decoding_exponent_);
-  if (decoding_ == Curve::srgb) value = from_srgb(value);
-  if (encoding_ == Curve::power) value = raised(value, encoding_exponent_);
-  if (encoding_ == Curve::srgb) value = to_srgb(value);
-  return value;
+float Encoding::whole_number(float working, float white) const {
+  const float value = to_file_(working);
+  return value > 0.0f ? std::floor(std::min(value, 1.0f) * white + 0.5f) : 0.0f;
 }
 
-std::uint8_t Encoding::byte(float working) const {
-  const float value = file_number(working);
-  if (!(value > 0.0f)) return 0;
-  return static_cast<std::uint8_t>(std::floor(std::min(value, 1.0f) * 255.0f + 0.5f));
-}
+std::uint8_t Encoding::byte(float working) const { return static_cast<std::uint8_t>(whole_number(working, 255.0f)); }
 
 std::uint16_t Encoding::word(float working) const {
-  const float value = file_number(working);
-  if (!(value > 0.0f)) return 0;
-  return static_cast<std::uint16_t>(std::floor(std::min(value, 1.0f) * 65535.0f + 0.5f));
+  return static_cast<std::uint16_t>(whole_number(working, 65535.0f));
 }
 
 float Encoding::light(float working) const {
-  float value = working;
-  if (working_ != Working::power) value = from_srgb(working);
-  if (working_exponent_ != 1.0) value = raised(working, static_cast<float>(working_exponent_));
+  const float value = working_.to_light(working);
   if (std::isnan(value)) return 0.0f;
   constexpr float kLargest = std::numeric_limits<float>::max();
   return std::clamp(value, -kLargest, kLargest);

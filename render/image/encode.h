@@ -1,5 +1,6 @@
 #pragma once
 
+#include "render/image/transfer_curve.h"
 #include "render/math/color.h"
 
 #include <cstdint>
@@ -16,13 +17,13 @@ namespace firstlight::render {
 class Encoding {
  public:
   /// Working numbers are proportional to light.
-  static Encoding linear() { return power(1.0); }
+  static Encoding linear() { return Encoding(TransferCurve()); }
   /// Working numbers are light ^ (1 / exponent). An exponent within 0.01 of 1 counts as 1.
-  static Encoding power(double exponent);
+  static Encoding power(double exponent) { return Encoding(TransferCurve::of_power(exponent)); }
   /// Working numbers are on the sRGB curve.
-  static Encoding srgb() { return {Working::srgb, 1.0}; }
+  static Encoding srgb() { return Encoding({TransferCurve::Kind::srgb}); }
   /// Working numbers are file numbers already, but for the range, whatever the curve of the file.
-  static Encoding as_is() { return {Working::unmanaged, 1.0}; }
+  static Encoding as_is();
 
   /// The same working numbers in files whose numbers are light ^ (1 / gamma). Pre: gamma > 0.
   Encoding with_file_gamma(double gamma) const;
@@ -35,19 +36,13 @@ class Encoding {
   float light(float working) const;
 
  private:
-  enum class Working { power, srgb, unmanaged };
-  enum class Curve { none, power, srgb };
+  explicit Encoding(const TransferCurve& working) : working_(working), to_file_(working, {TransferCurve::Kind::srgb}) {}
+  /// The value in a file where `white` stands for 1.
+  float whole_number(float working, float white) const;
 
-  Encoding(Working working, double exponent);
-  float file_number(float working) const;  ///< before it is clipped
-
-  Working working_;
-  double working_exponent_;
-  // From working numbers to light, and from there to file numbers.
-  Curve decoding_ = Curve::none;
-  Curve encoding_ = Curve::none;
-  float decoding_exponent_ = 1.0f;
-  float encoding_exponent_ = 1.0f;
+  TransferCurve working_;
+  Transcoding to_file_;
+  bool is_managed_ = true;
 };
 
 /// Encoding::byte() of many colours, one picture's, say: of most numbers it is known from their neighbours.

@@ -48,17 +48,17 @@ float TransferCurve::from_light(float light) const {
   return light;
 }
 
-Transcoding::Transcoding(const TransferCurve& file, const TransferCurve& scene) : file_(file), scene_(scene) {
+Transcoding::Transcoding(const TransferCurve& from, const TransferCurve& to) : from_(from), to_(to) {
   using Kind = TransferCurve::Kind;
-  if (are_equal(file, scene)) {
-    file_ = scene_ = {};
-  } else if (scene.kind == Kind::power && file.kind != Kind::srgb) {
+  if (are_equal(from, to)) {
+    from_ = to_ = {};
+  } else if (to.kind == Kind::power && from.kind != Kind::srgb) {
     // Two powers are one.
-    file_ = power_of((1.0f / scene.encoding) * (file.kind == Kind::power ? file.encoding : 1.0f));
-    scene_ = {};
+    from_ = power_of((1.0f / to.encoding) * (from.kind == Kind::power ? from.encoding : 1.0f));
+    to_ = {};
   }
 }
 
-float Transcoding::operator()(float number) const { return scene_.from_light(file_.to_light(number)); }
+float Transcoding::operator()(float number) const { return to_.from_light(from_.to_light(number)); }
 
 }  // namespace firstlight::render

@@ -19,17 +19,17 @@ struct TransferCurve {
   float from_light(float light) const;
 };
 
-/// The way from a file's numbers to those of a scene.
+/// The way from numbers on one curve to those on another: from a file's to a scene's, or back.
 class Transcoding {
  public:
   Transcoding() = default;
-  Transcoding(const TransferCurve& file, const TransferCurve& scene);
+  Transcoding(const TransferCurve& from, const TransferCurve& to);
 
   float operator()(float number) const;
 
  private:
-  TransferCurve file_;
-  TransferCurve scene_;
+  TransferCurve from_;
+  TransferCurve to_;
 };
 
 }  // namespace firstlight::render
