@@ -50,8 +50,8 @@ void Box::crossings(const Ray& ray, std::vector<Crossing>& out) const {
   box_.meet(ray, met);
 }
 
-void Box::meet_block(const RayColumns& rays, std::uint64_t who, const DepthWindow*, Slots& slots) const {
-  box_.meet_block(Transform(), rays, who, *this, slots);
+void Box::meet_block(const RayColumns& rays, std::uint64_t who, const DepthWindow* nearest_only, Slots& slots) const {
+  box_.meet_block({*this, Transform(), rays, who, nearest_only}, slots);
 }
 
 std::uint64_t Box::inside_block(const Columns3<double>& points, std::uint64_t who) const {

@@ -33,8 +33,7 @@ struct AxisBox {
   void meet(const Ray& ray, BoxMet& met) const;
   void meet(const Ray& ray, Met& met) const;
   bool inside(const Vec3& point, bool inverted) const;
-  void meet_block(const Transform& transform, const RayColumns& rays, std::uint64_t who, const Shape& shape,
-                  Slots& slots) const;
+  void meet_block(const RaysAndPlace& asked, Slots& slots) const;
   std::uint64_t inside_block(const Transform& transform, bool inverted, const Columns3<double>& points,
                              std::uint64_t who) const;
   Vec3 normal(const Vec3&, const Crossing& at) const {

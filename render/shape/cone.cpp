@@ -28,8 +28,7 @@ struct Cylinder {
 
   void meet(const Ray& ray, Met& met) const;
   bool inside(const Vec3& p, bool inverted) const;
-  void meet_block(const Transform& transform, const RayColumns& rays, std::uint64_t who, const Shape& shape,
-                  Slots& slots) const;
+  void meet_block(const RaysAndPlace& asked, Slots& slots) const;
   std::uint64_t inside_block(const Transform& transform, bool inverted, const Columns3<double>& points,
                              std::uint64_t who) const;
   Vec3 normal(const Vec3& p, const Crossing& at) const {
@@ -48,8 +47,7 @@ struct Cone {
 
   void meet(const Ray& ray, Met& met) const;
   bool inside(const Vec3& p, bool inverted) const;
-  void meet_block(const Transform& transform, const RayColumns& rays, std::uint64_t who, const Shape& shape,
-                  Slots& slots) const;
+  void meet_block(const RaysAndPlace& asked, Slots& slots) const;
   std::uint64_t inside_block(const Transform& transform, bool inverted, const Columns3<double>& points,
                              std::uint64_t who) const;
   Vec3 normal(const Vec3& p, const Crossing& at) const {

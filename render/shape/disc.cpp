@@ -27,8 +27,7 @@ struct Disc {
 
   void meet(const Ray& ray, Met& met) const;
   bool inside(const Vec3& point, bool inverted) const;
-  void meet_block(const Transform& transform, const RayColumns& rays, std::uint64_t who, const Shape& shape,
-                  Slots& slots) const;
+  void meet_block(const RaysAndPlace& asked, Slots& slots) const;
   std::uint64_t inside_block(const Transform& transform, bool inverted, const Columns3<double>& points,
                              std::uint64_t who) const;
   Vec3 normal(const Vec3&, const Crossing&) const { return Vec3(0.0, 0.0, 1.0); }

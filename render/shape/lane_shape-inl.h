@@ -107,8 +107,8 @@ struct ListSink {
 
 /// `shape` meets the rays in `who`, seen from the space before the transformation.
 template <class Formula>
-HWY_INLINE void meet_rays(const Formula& formula, const Transform& transform, const RayColumns& rays, std::uint64_t who,
-                          const Shape& shape, Slots& slots) {
+HWY_INLINE void meet_rays(const Formula& formula, const RaysAndPlace& asked, Slots& slots) {
+  const auto& [shape, transform, rays, who, nearest_only] = asked;
   const std::size_t first = slots.size();
   Slot* own[Formula::kSlots];
   for (Slot*& slot : own) {
@@ -160,17 +160,15 @@ HWY_AFTER_NAMESPACE();
 // Pairs of macros offer the formulas of a struct to others. The first of a pair stands in HWY_NAMESPACE, the second
 // behind HWY_ONCE, where it defines those members of the struct that render/shape/placed.h tells of.
 
-#define FIRSTLIGHT_MEET_KERNEL(Formula)                                                                              \
-  void meet_##Formula(const Formula& formula, const Transform& transform, const RayColumns& rays, std::uint64_t who, \
-                      const Shape& shape, Slots& slots) {                                                            \
-    meet_rays(formula, transform, rays, who, shape, slots);                                                          \
+#define FIRSTLIGHT_MEET_KERNEL(Formula)                                                  \
+  void meet_##Formula(const Formula& formula, const RaysAndPlace& asked, Slots& slots) { \
+    meet_rays(formula, asked, slots);                                                    \
   }
-#define FIRSTLIGHT_MEET_MEMBERS(Formula)                                                                              \
-  HWY_EXPORT(meet_##Formula);                                                                                         \
-  void Formula::meet_block(const Transform& transform, const RayColumns& rays, std::uint64_t who, const Shape& shape, \
-                           Slots& slots) const {                                                                      \
-    HWY_DYNAMIC_DISPATCH(meet_##Formula)(*this, transform, rays, who, shape, slots);                                  \
-  }                                                                                                                   \
+#define FIRSTLIGHT_MEET_MEMBERS(Formula)                                    \
+  HWY_EXPORT(meet_##Formula);                                               \
+  void Formula::meet_block(const RaysAndPlace& asked, Slots& slots) const { \
+    HWY_DYNAMIC_DISPATCH(meet_##Formula)(*this, asked, slots);              \
+  }                                                                         \
   void Formula::meet(const Ray& ray, Met& met) const { HWY_NAMESPACE::meet_one(*this, ray, met); }
 
 #define FIRSTLIGHT_INSIDE_KERNEL(Formula)                                                           \

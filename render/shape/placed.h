@@ -48,14 +48,22 @@ struct UnitRay {
       : length(given.direction.length()), ray{given.origin, given.direction * (1.0 / length)} {}
 };
 
+/// Rays of a block, and a shape that they are to meet in a space of its own.
+struct RaysAndPlace {
+  const Shape& shape;
+  const Transform& transform;       ///< from that space into the world
+  const RayColumns& rays;           ///< in the world
+  std::uint64_t who;                ///< bits of those that count
+  const DepthWindow* nearest_only;  ///< as for Shape::meet_block
+};
+
 /// A primitive that is simple in a space of its own, under a transformation. `Local` brings the formulas:
 ///
 ///     void meet(const Ray& ray, Met& met) const;                     the ray's direction may have any length
 ///     bool inside(const Vec3& point, bool inverted) const;
-///     void meet_block(const Transform& transform, const RayColumns& rays, std::uint64_t who, const Shape& shape,
-///                     Slots& slots) const;                           may be left out: ray by ray
+///     void meet_block(const RaysAndPlace& asked, Slots& slots) const;  may be left out: ray by ray
 ///     std::uint64_t inside_block(const Transform& transform, bool inverted, const Columns3<double>& points,
-///                                std::uint64_t who) const;           goes with it
+///                                std::uint64_t who) const;           may be left out: point by point
 ///     Vec3 normal(const Vec3& point, const Crossing& at) const;      outward, of any length
 ///     Vec2 uv(const Vec3& point, const Crossing& at) const;          may be left out: x and y of the point in space
 ///     void textures(places, first, end, out) const;                  may be left out; as Shape's
@@ -85,13 +93,13 @@ class Placed final : public Shape {
   void meet_block(const RayColumns& rays, std::uint64_t who, const DepthWindow* nearest_only,
                   Slots& slots) const override {
     if constexpr (kIsOverLanes) {
-      local().meet_block(transform_, rays, who, *this, slots);
+      local().meet_block({*this, transform_, rays, who, nearest_only}, slots);
     } else {
       Shape::meet_block(rays, who, nearest_only, slots);
     }
   }
   std::uint64_t inside_block(const Columns3<double>& points, std::uint64_t who) const override {
-    if constexpr (kIsOverLanes) {
+    if constexpr (requires { &Local::inside_block; }) {
       return local().inside_block(transform_, inverted_, points, who);
     } else {
       return Shape::inside_block(points, who);

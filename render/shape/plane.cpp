@@ -22,8 +22,7 @@ struct HalfSpace {
 
   void meet(const Ray& ray, Met& met) const;
   bool inside(const Vec3& point, bool inverted) const;
-  void meet_block(const Transform& transform, const RayColumns& rays, std::uint64_t who, const Shape& shape,
-                  Slots& slots) const;
+  void meet_block(const RaysAndPlace& asked, Slots& slots) const;
   std::uint64_t inside_block(const Transform& transform, bool inverted, const Columns3<double>& points,
                              std::uint64_t who) const;
 };
@@ -81,8 +80,8 @@ void Plane::crossings(const Ray& ray, std::vector<Crossing>& out) const {
 
 bool Plane::inside(const Vec3& point) const { return HalfSpace{normal_, offset_}.inside(point, false); }
 
-void Plane::meet_block(const RayColumns& rays, std::uint64_t who, const DepthWindow*, Slots& slots) const {
-  HalfSpace{normal_, offset_}.meet_block(Transform(), rays, who, *this, slots);
+void Plane::meet_block(const RayColumns& rays, std::uint64_t who, const DepthWindow* nearest_only, Slots& slots) const {
+  HalfSpace{normal_, offset_}.meet_block({*this, Transform(), rays, who, nearest_only}, slots);
 }
 
 std::uint64_t Plane::inside_block(const Columns3<double>& points, std::uint64_t who) const {

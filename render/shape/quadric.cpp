@@ -25,8 +25,7 @@ struct Form {
 
   void meet(const Ray& ray, Met& met) const;
   bool inside(const Vec3& point, bool inverted) const;
-  void meet_block(const Transform& transform, const RayColumns& rays, std::uint64_t who, const Shape& shape,
-                  Slots& slots) const;
+  void meet_block(const RaysAndPlace& asked, Slots& slots) const;
   std::uint64_t inside_block(const Transform& transform, bool inverted, const Columns3<double>& points,
                              std::uint64_t who) const;
 };
@@ -166,8 +165,9 @@ class Quadric final : public Shape {
     Form{q_}.meet(ray, met);
   }
   bool inside(const Vec3& point) const override { return Form{q_}.inside(point, inverted_); }
-  void meet_block(const RayColumns& rays, std::uint64_t who, const DepthWindow*, Slots& slots) const override {
-    Form{q_}.meet_block(Transform(), rays, who, *this, slots);
+  void meet_block(const RayColumns& rays, std::uint64_t who, const DepthWindow* nearest_only,
+                  Slots& slots) const override {
+    Form{q_}.meet_block({*this, Transform(), rays, who, nearest_only}, slots);
   }
   std::uint64_t inside_block(const Columns3<double>& points, std::uint64_t who) const override {
     return Form{q_}.inside_block(Transform(), inverted_, points, who);

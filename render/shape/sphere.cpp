@@ -30,8 +30,7 @@ struct Ball {
 
   void meet(const Ray& ray, Met& met) const;
   bool inside(const Vec3& point, bool inverted) const;
-  void meet_block(const Transform& transform, const RayColumns& rays, std::uint64_t who, const Shape& shape,
-                  Slots& slots) const;
+  void meet_block(const RaysAndPlace& asked, Slots& slots) const;
   std::uint64_t inside_block(const Transform& transform, bool inverted, const Columns3<double>& points,
                              std::uint64_t who) const;
 };
@@ -46,8 +45,7 @@ struct EllipsoidBase {
 
   void meet(const Ray& ray, Met& met) const;
   bool inside(const Vec3& point, bool inverted) const;
-  void meet_block(const Transform& transform, const RayColumns& rays, std::uint64_t who, const Shape& shape,
-                  Slots& slots) const;
+  void meet_block(const RaysAndPlace& asked, Slots& slots) const;
   std::uint64_t inside_block(const Transform& transform, bool inverted, const Columns3<double>& points,
                              std::uint64_t who) const;
   Vec3 normal(const Vec3& point, const Crossing&) const { return point - center; }
@@ -185,8 +183,9 @@ void Sphere::crossings(const Ray& ray, std::vector<Crossing>& out) const {
 
 bool Sphere::inside(const Vec3& point) const { return Ball{center_, radius_squared()}.inside(point, inverted_); }
 
-void Sphere::meet_block(const RayColumns& rays, std::uint64_t who, const DepthWindow*, Slots& slots) const {
-  Ball{center_, radius_squared()}.meet_block(Transform(), rays, who, *this, slots);
+void Sphere::meet_block(const RayColumns& rays, std::uint64_t who, const DepthWindow* nearest_only,
+                        Slots& slots) const {
+  Ball{center_, radius_squared()}.meet_block({*this, Transform(), rays, who, nearest_only}, slots);
 }
 
 std::uint64_t Sphere::inside_block(const Columns3<double>& points, std::uint64_t who) const {

@@ -68,8 +68,9 @@ class Triangle final : public Shape {
     Met met(*this, out);
     if (flat_.valid()) flat_.meet(ray, met);
   }
-  void meet_block(const RayColumns& rays, std::uint64_t who, const DepthWindow*, Slots& slots) const override {
-    if (flat_.valid()) flat_.meet_block(Transform(), rays, who, *this, slots);
+  void meet_block(const RayColumns& rays, std::uint64_t who, const DepthWindow* nearest_only,
+                  Slots& slots) const override {
+    if (flat_.valid()) flat_.meet_block({*this, Transform(), rays, who, nearest_only}, slots);
   }
   bool inside(const Vec3&) const override { return false; }
   std::uint64_t inside_block(const Columns3<double>&, std::uint64_t) const override { return 0; }
@@ -104,8 +105,9 @@ class SmoothTriangle final : public Shape {
     Met met(*this, out);
     if (valid_) flat_.meet(ray, met);
   }
-  void meet_block(const RayColumns& rays, std::uint64_t who, const DepthWindow*, Slots& slots) const override {
-    if (valid_) flat_.meet_block(Transform(), rays, who, *this, slots);
+  void meet_block(const RayColumns& rays, std::uint64_t who, const DepthWindow* nearest_only,
+                  Slots& slots) const override {
+    if (valid_) flat_.meet_block({*this, Transform(), rays, who, nearest_only}, slots);
   }
   bool inside(const Vec3&) const override { return false; }
   std::uint64_t inside_block(const Columns3<double>&, std::uint64_t) const override { return 0; }

@@ -32,8 +32,7 @@ class FlatTriangle {
   int v() const { return v_; }
   // Pre: valid.
   void meet(const Ray& ray, Met& met) const;
-  void meet_block(const Transform& transform, const RayColumns& rays, std::uint64_t who, const Shape& shape,
-                  Slots& slots) const;
+  void meet_block(const RaysAndPlace& asked, Slots& slots) const;
   Box3 bounds() const;
 
  private:
