@@ -1,151 +1,252 @@
 #include "render/math/polynomial.h"
 
+#undef HWY_TARGET_INCLUDE
+#define HWY_TARGET_INCLUDE "render/math/polynomial.cpp"
+#include <hwy/foreach_target.h>
+
+#include "render/math/polynomial-inl.h"
+
 #include <algorithm>
 #include <bit>
 #include <cmath>
 #include <cstdint>
 #include <type_traits>
 
+HWY_BEFORE_NAMESPACE();
 namespace firstlight::render {
-namespace {
+namespace HWY_NAMESPACE {
 
-/// An interval is not halved further when it is so small beside its distance from 0: there two roots that are so near are
-/// told apart by rounding alone.
-constexpr double kNarrow = 0x1p-22;
-constexpr double kEnough = 1e-9;  ///< a step so small, relative to the root, is the last: the error is its cube
-constexpr int kMostRounds = 80;
+/// Up to kRaysAtOnce of the polynomials in any order, by their numbers.
+struct Chosen {
+  std::array<std::uint8_t, kRaysAtOnce + Lanes::kCount> number;
+  std::size_t count = 0;
 
-/// 1 / (n over k), for k from 0 to n, of all n.
-constexpr auto kInverseBinomials = [] {
-  std::array<std::array<double, kMostOrder + 1>, kMostOrder + 1> inverse{};
-  for (std::size_t n = 0; n <= kMostOrder; ++n) {
-    double binomial = 1.0;
-    for (std::size_t k = 0; k <= n; ++k) {
-      inverse[n][k] = 1.0 / binomial;
-      binomial = binomial * static_cast<double>(n - k) / static_cast<double>(k + 1);
+  void add(std::size_t which) { number[count++] = static_cast<std::uint8_t>(which); }
+  /// Lanes beyond the last repeat it.
+  void fill() { std::fill_n(number.begin() + static_cast<std::ptrdiff_t>(count), Lanes::kCount, number[count - 1]); }
+};
+
+/// The coefficients of `count` of them that stand in the list from `first` on, in ascending order.
+template <class Order>
+HWY_INLINE void gather(const PolynomialColumns& p, Order order, const std::uint8_t* first, std::size_t count,
+                       Lanes* c) {
+  if (count == Lanes::kCount && first[count - 1] == first[0] + count - 1) {
+    for (std::size_t i = 0; i <= order; ++i) c[i] = Lanes::load(&p.c[i][first[0]]);
+    return;
+  }
+  for (std::size_t i = 0; i <= order; ++i) {
+    double numbers[Lanes::kCount];
+    for (std::size_t lane = 0; lane < Lanes::kCount; ++lane) numbers[lane] = p.c[i][first[lane]];
+    c[i] = Lanes::load(numbers);
+  }
+}
+
+/// Curve parts that hold one root each.
+struct Brackets {
+  Chosen of;
+  Column<double> begin, end, at_begin, from;
+
+  void add(std::size_t which, const CurvePart& part, double start) {
+    begin[of.count] = part.begin;
+    end[of.count] = part.end;
+    at_begin[of.count] = part.at_begin;
+    from[of.count] = start;
+    of.add(which);
+  }
+};
+
+/// The curve parts of as many polynomials as there are lanes.
+struct PartColumns {
+  double begin[Lanes::kCount], end[Lanes::kCount], at_begin[Lanes::kCount], at_end[Lanes::kCount];
+
+  void set(std::size_t lane, const CurvePart& part) {
+    begin[lane] = part.begin;
+    end[lane] = part.end;
+    at_begin[lane] = part.at_begin;
+    at_end[lane] = part.at_end;
+  }
+};
+
+/// Takes the nearest waiting part of each polynomial from `first` on, `count` of them. What is in question is put back in
+/// halves, what holds one root into `brackets`.
+template <class Order>
+HWY_INLINE void look_at_parts(const PolynomialColumns& p, Order order, const std::uint8_t* first, std::size_t count,
+                              RootColumns::Search& search, Brackets& brackets) {
+  Lanes c[kCoefficients<Order>];
+  gather(p, order, first, count, c);
+  PartColumns parts;
+  unsigned whole_bits = 0;
+  for (std::size_t lane = 0; lane < Lanes::kCount; ++lane) {
+    const std::size_t which = first[lane];
+    if (lane < count) --search.waiting_count[which];
+    parts.set(lane, search.waiting[which][search.waiting_count[which]]);
+    whole_bits |= unsigned{search.halvings_left[which] == PolynomialRoots::kMostHalvings} << lane;
+  }
+  const auto begin = Lanes::load(parts.begin);
+  const auto end = Lanes::load(parts.end);
+  const Lanes width = end - begin;
+  Lanes b[kCoefficients<Order>];
+  find_bernstein(c, order, begin, width, b);
+  auto at_begin = Lanes::load(parts.at_begin);
+  auto at_end = Lanes::load(parts.at_end);
+  if (whole_bits != 0) {
+    const auto whole = Lanes::mask_of(whole_bits);
+    at_begin = select(whole, b[0], at_begin);
+    at_end = select(whole, value(c, order, end), at_end);
+    at_begin.store(parts.at_begin);
+    at_end.store(parts.at_end);
+  }
+  b[0] = at_begin;
+  b[order] = at_end;
+  const SignChanges<Lanes> changes = sign_changes(b, order);
+  const unsigned of_count = (1u << count) - 1u;
+  const unsigned once = bits(changes.once) & of_count;
+  unsigned often = bits(changes.often) & of_count;
+  if ((once | often) == 0) return;
+  double start[Lanes::kCount];
+  (begin + width * changes.crossing).store(start);
+  if (std::is_same_v<Order, std::integral_constant<std::size_t, 4>> && (often & whole_bits) != 0) {
+    often &= ~(bits(without(has_no_real_root(c), is_narrow(begin, end))) & whole_bits);
+  }
+  double middles[Lanes::kCount];
+  double at_middle[Lanes::kCount];
+  unsigned narrow = 0;
+  if (often != 0) {
+    const Lanes middle = 0.5 * (begin + end);
+    middle.store(middles);
+    value(c, order, middle).store(at_middle);
+    narrow = bits(is_narrow(begin, end));
+  }
+  for (std::size_t lane = 0; lane < count; ++lane) {
+    const std::size_t which = first[lane];
+    const CurvePart part{parts.begin[lane], parts.end[lane], parts.at_begin[lane], parts.at_end[lane]};
+    if ((once >> lane & 1u) != 0) {
+      brackets.add(which, part, start[lane]);
+    } else if ((often >> lane & 1u) != 0) {
+      if (search.halvings_left[which] == 0 || (narrow >> lane & 1u) != 0) {
+        if ((part.at_begin < 0.0) != (part.at_end < 0.0)) brackets.add(which, part, middles[lane]);
+        continue;
+      }
+      --search.halvings_left[which];
+      CurvePart* waiting = search.waiting[which].data() + search.waiting_count[which];
+      waiting[0] = {middles[lane], part.end, at_middle[lane], part.at_end};
+      waiting[1] = {part.begin, middles[lane], part.at_begin, at_middle[lane]};
+      search.waiting_count[which] = static_cast<std::uint8_t>(search.waiting_count[which] + 2);
     }
   }
-  return inverse;
-}();
+}
 
 template <class Order>
-double value(const double* c, Order order, double x) {
-  double sum = c[order];
-  for (std::size_t i = order; i-- > 0;) sum = sum * x + c[i];
-  return sum;
+HWY_INLINE void solve(const PolynomialColumns& p, Order order, Brackets& brackets, Column<double>& root) {
+  if (brackets.of.count == 0) return;
+  brackets.of.fill();
+  for (std::size_t i = 0; i < brackets.of.count; i += Lanes::kCount) {
+    const std::uint8_t* first = &brackets.of.number[i];
+    const std::size_t count = std::min(Lanes::kCount, brackets.of.count - i);
+    Lanes c[kCoefficients<Order>];
+    gather(p, order, first, count, c);
+    const auto below = load<Lanes>(brackets.at_begin, i) < Lanes(0.0);
+    double found[Lanes::kCount];
+    bracketed_root(c, order, load<Lanes>(brackets.begin, i), load<Lanes>(brackets.end, i), below,
+                   load<Lanes>(brackets.from, i), Lanes::first(count))
+        .store(found);
+    for (std::size_t lane = 0; lane < count; ++lane) root[first[lane]] = found[lane];
+  }
 }
 
-/// Coefficients in Bernstein's basis over [begin, begin + width].
 template <class Order>
-void find_bernstein(const double* c, Order order, double begin, double width, double* b) {
-  const std::size_t n = order;
-  for (std::size_t i = 0; i <= n; ++i) b[i] = c[i];
-  for (std::size_t k = 0; k < n; ++k) {
-    for (std::size_t i = n; i-- > k;) b[i] += begin * b[i + 1];
+HWY_INLINE std::uint64_t next_roots(const PolynomialColumns& p, Order order, RootColumns::Search& search,
+                                    std::uint64_t open, Column<double>& root) {
+  std::uint64_t found = 0;
+  while (open != 0) {
+    Chosen chosen;
+    for (std::uint64_t left = open; left != 0; left &= left - 1) {
+      const auto which = static_cast<std::size_t>(__builtin_ctzll(left));
+      if (search.waiting_count[which] != 0) {
+        chosen.add(which);
+      } else {
+        open &= ~(std::uint64_t{1} << which);
+      }
+    }
+    if (chosen.count == 0) break;
+    chosen.fill();
+    Brackets brackets;
+    for (std::size_t i = 0; i < chosen.count; i += Lanes::kCount) {
+      look_at_parts(p, order, &chosen.number[i], std::min(Lanes::kCount, chosen.count - i), search, brackets);
+    }
+    solve(p, order, brackets, root);
+    std::uint64_t solved = 0;
+    for (std::size_t i = 0; i < brackets.of.count; ++i) solved |= std::uint64_t{1} << brackets.of.number[i];
+    found |= solved;
+    open &= ~solved;
   }
-  double power = 1.0;
-  for (std::size_t i = 1; i <= n; ++i) {
-    power *= width;
-    b[i] *= power * kInverseBinomials[n][i];
-  }
-  for (std::size_t k = 1; k <= n; ++k) {
-    for (std::size_t i = n; i >= k; --i) b[i] += b[i - 1];
+  return found;
+}
+
+std::uint64_t find_next_roots(const PolynomialColumns& p, RootColumns::Search& search, std::uint64_t who,
+                              Column<double>& root) {
+  switch (p.order) {
+    case 2:
+      return next_roots(p, std::integral_constant<std::size_t, 2>(), search, who, root);
+    case 3:
+      return next_roots(p, std::integral_constant<std::size_t, 3>(), search, who, root);
+    case 4:
+      return next_roots(p, std::integral_constant<std::size_t, 4>(), search, who, root);
+    case 6:
+      return next_roots(p, std::integral_constant<std::size_t, 6>(), search, who, root);
+    default:
+      return next_roots(p, p.order, search, who, root);
   }
 }
 
-/// The root between `a` and `b`, where the curve changes sign: Halley's steps from x, kept in the bracket by halving.
-template <class Order>
-double bracketed_root(const double* c, Order order, double a, double b, bool negative_at_a, double x) {
-  for (int round = 0; round < kMostRounds; ++round) {
-    double f = c[order];
-    double slope = 0.0;
-    double bend = 0.0;  // half the second derivative
-    for (std::size_t i = order; i-- > 0;) {
-      bend = bend * x + slope;
-      slope = slope * x + f;
-      f = f * x + c[i];
-    }
-    if ((f < 0.0) == negative_at_a) {
-      a = x;
-    } else {
-      b = x;
-    }
-    double next = x - f * slope / (slope * slope - f * bend);
-    const double step = std::abs(next - x);
-    if (step <= kEnough * std::abs(next)) return std::clamp(next, a, b);
-    if (!(next > a && next < b)) {
-      next = 0.5 * (a + b);
-      if (!(next > a && next < b)) break;
-    }
-    x = next;
-  }
-  return x;
-}
+}  // namespace HWY_NAMESPACE
+}  // namespace firstlight::render
+HWY_AFTER_NAMESPACE();
 
-/// Whether a quartic has two pairs of complex roots, beyond doubt by rounding.
-/// Source   E. L. Rees, Graphical Discussion of the Roots of a Quartic Equation, 1922.
-bool has_no_real_root(const double* c) {
-  constexpr double kSure = 1e-8;  // relative
-  const auto [e, d, cc, b, a] = std::array<double, 5>{c[0], c[1], c[2], c[3], c[4]};
-  const double ae = 12.0 * a * e;
-  const double bd = 3.0 * b * d;
-  const double c2 = cc * cc;
-  const double i = ae - bd + c2;
-  const double size = std::abs(ae) + std::abs(bd) + c2;
-  const double j = cc * (6.0 * ae + 3.0 * bd - 2.0 * c2) - 27.0 * (a * d * d + b * b * e);
-  if (!(4.0 * i * i * i - j * j > kSure * size * size * size)) return false;
-  const double b2 = b * b;
-  const double ac = a * cc;
-  if (8.0 * ac - 3.0 * b2 > kSure * (std::abs(ac) + b2)) return true;
-  const double a2 = a * a;
-  const double terms = 64.0 * a2 * a * e - 16.0 * a2 * b * d;
-  const double squares = 16.0 * ac * (b2 - ac) - 3.0 * b2 * b2;
-  return terms + squares > kSure * (std::abs(a2 * a * e) + std::abs(a2 * b * d) + ac * ac + b2 * b2);
-}
+#if HWY_ONCE
+namespace firstlight::render {
 
-}  // namespace
+HWY_EXPORT(find_next_roots);
 
 template <class Order>
 bool PolynomialRoots::next(Order order, double& root) {
-  const double* c = c_.data();
-  constexpr std::size_t kRoom = std::is_same_v<Order, std::size_t> ? kMostOrder : std::size_t{Order()};
+  using namespace HWY_NAMESPACE;
+  One c[kCoefficients<Order>];
+  for (std::size_t i = 0; i <= order; ++i) c[i] = c_[i];
   while (waiting_count_ > 0) {
-    Interval here = waiting_[--waiting_count_];
-    const double width = here.end - here.begin;
-    std::array<double, kRoom + 1> b;
-    find_bernstein(c, order, here.begin, width, b.data());
+    CurvePart here = waiting_[--waiting_count_];
+    const One begin = here.begin;
+    const One end = here.end;
+    const One width = end - begin;
+    One b[kCoefficients<Order>];
+    find_bernstein(c, order, begin, width, b);
     const bool is_whole = halvings_left_ == kMostHalvings;
     if (is_whole) {
-      here.at_begin = b[0];
-      here.at_end = value(c, order, here.end);
+      here.at_begin = b[0].v;
+      here.at_end = value(c, order, end).v;
     }
     b[0] = here.at_begin;
     b[order] = here.at_end;
-    std::uint64_t negative = 0;
-    for (std::size_t i = 0; i <= order; ++i) negative |= std::uint64_t{b[i] < 0.0} << i;
-    const std::uint64_t changes = (negative ^ (negative >> 1)) & ((std::uint64_t{1} << order) - 1);
-    if (changes == 0) continue;
-    const bool negative_at_begin = here.at_begin < 0.0;
-    if ((changes & (changes - 1)) == 0) {
-      // The polygon of the coefficients crosses zero near the root.
-      const auto i = static_cast<std::size_t>(std::countr_zero(changes));
-      const double share = (static_cast<double>(i) + b[i] / (b[i] - b[i + 1])) / static_cast<double>(order);
-      root = bracketed_root(c, order, here.begin, here.end, negative_at_begin, here.begin + width * share);
+    const SignChanges<One> changes = sign_changes(b, order);
+    const bool is_below_at_begin = here.at_begin < 0.0;
+    const auto solve = [&](One from) {
+      root = bracketed_root(c, order, begin, end, OneMask{is_below_at_begin}, from, OneMask{true}).v;
       return true;
+    };
+    if (changes.once.holds) return solve(begin + width * changes.crossing);
+    if (!changes.often.holds) continue;
+    const One middle = 0.5 * (begin + end);
+    if (halvings_left_ == 0 || is_narrow(begin, end).holds) {
+      if (is_below_at_begin == (here.at_end < 0.0)) continue;
+      return solve(middle);
     }
-    const double middle = 0.5 * (here.begin + here.end);
-    if (halvings_left_ == 0 || width <= kNarrow * std::max(std::abs(here.begin), std::abs(here.end))) {
-      if (negative_at_begin == (here.at_end < 0.0)) continue;
-      root = bracketed_root(c, order, here.begin, here.end, negative_at_begin, middle);
-      return true;
-    }
-    if constexpr (kRoom == 4) {
-      if (is_whole && has_no_real_root(c)) return false;
+    if constexpr (std::is_same_v<Order, std::integral_constant<std::size_t, 4>>) {
+      if (is_whole && has_no_real_root(c).holds) return false;
     }
     --halvings_left_;
-    const double at_middle = value(c, order, middle);
-    waiting_[waiting_count_++] = {middle, here.end, at_middle, here.at_end};
-    waiting_[waiting_count_++] = {here.begin, middle, here.at_begin, at_middle};
+    const double at_middle = value(c, order, middle).v;
+    waiting_[waiting_count_++] = {middle.v, here.end, at_middle, here.at_end};
+    waiting_[waiting_count_++] = {here.begin, middle.v, here.at_begin, at_middle};
   }
   return false;
 }
@@ -168,19 +269,30 @@ bool PolynomialRoots::next(double& root) {
   }
 }
 
-double root_bound(std::span<const double> c) {
-  // The bits of a positive number, as an integer, are its logarithm to base 2, off by less than 0.0861 and never above.
-  constexpr double kOne = 0x1p52;
-  constexpr double kOff = 0.0861 * kOne;
-  const auto logarithm = [](double x) { return static_cast<double>(std::bit_cast<std::int64_t>(std::abs(x))); };
-  const std::size_t order = c.size() - 1;
-  const double last = logarithm(c[order]) - kOff;
-  double largest = -1000.0 * kOne;
-  for (std::size_t k = 1; k <= order; ++k) {
-    largest = std::max(largest, (logarithm(c[order - k]) - last) / static_cast<double>(k));
+RootColumns::Search& RootColumns::of_thread() {
+  thread_local const std::unique_ptr<Search> search(new Search);
+  return *search;
+}
+
+RootColumns::RootColumns(const PolynomialColumns& polynomials, std::uint64_t who)
+    : polynomials_(&polynomials), search_(&of_thread()) {
+  for (; who != 0; who &= who - 1) {
+    const auto i = static_cast<std::size_t>(__builtin_ctzll(who));
+    search_->waiting[i][0] = {polynomials.low[i], polynomials.high[i], 0.0, 0.0};
+    search_->waiting_count[i] = 1;
+    search_->halvings_left[i] = PolynomialRoots::kMostHalvings;
   }
-  largest = std::min(largest, 1000.0 * kOne);
-  return 2.0 * std::bit_cast<double>(static_cast<std::int64_t>(largest) + std::bit_cast<std::int64_t>(1.0));
+}
+
+std::uint64_t RootColumns::next(std::uint64_t who, Column<double>& root) {
+  return HWY_DYNAMIC_DISPATCH(find_next_roots)(*polynomials_, *search_, who, root);
+}
+
+double root_bound(std::span<const double> c) {
+  One numbers[kMostOrder + 1];
+  std::copy(c.begin(), c.end(), numbers);
+  return HWY_NAMESPACE::root_bound(numbers, c.size() - 1).v;
 }
 
 }  // namespace firstlight::render
+#endif

@@ -105,25 +105,32 @@ struct ListSink {
   }
 };
 
-/// `shape` meets the rays in `who`, seen from the space before the transformation.
+/// visit(ray, i, of_vector) for the rays from the i-th on, in the shape's space. In `of_vector` are bits of those of them
+/// that count.
+template <class Visit>
+HWY_INLINE void for_each_vector(const RaysAndPlace& asked, const Visit& visit) {
+  const bool placed = !asked.transform.is_identity();
+  const Mat4& back = asked.transform.inverse_matrix();
+  for (std::size_t i = 0; i < kRaysAtOnce; i += Lanes::kCount) {
+    const std::uint64_t of_vector = asked.who >> i & kAllLanes;
+    if (of_vector == 0) continue;
+    RayOf<Lanes> ray{load3<Lanes>(asked.rays.origin, i), load3<Lanes>(asked.rays.direction, i)};
+    if (placed) ray = {point_times(ray.origin, back), direction_times(ray.direction, back)};
+    visit(ray, i, of_vector);
+  }
+}
+
 template <class Formula>
 HWY_INLINE void meet_rays(const Formula& formula, const RaysAndPlace& asked, Slots& slots) {
-  const auto& [shape, transform, rays, who, nearest_only] = asked;
   const std::size_t first = slots.size();
   Slot* own[Formula::kSlots];
   for (Slot*& slot : own) {
-    slot = slots.add(shape);
+    slot = slots.add(asked.shape);
     if (slot == nullptr) return slots.cut(first);
   }
-  const bool placed = !transform.is_identity();
-  const Mat4& back = transform.inverse_matrix();
-  for (std::size_t i = 0; i < kRaysAtOnce; i += Lanes::kCount) {
-    const std::uint64_t of_vector = who >> i & kAllLanes;
-    if (of_vector == 0) continue;
-    RayOf<Lanes> ray{load3<Lanes>(rays.origin, i), load3<Lanes>(rays.direction, i)};
-    if (placed) ray = {point_times(ray.origin, back), direction_times(ray.direction, back)};
+  for_each_vector(asked, [&](const RayOf<Lanes>& ray, std::size_t i, std::uint64_t of_vector) HWY_ATTR {
     meet(formula, ray, SlotSink{own, i, of_vector});
-  }
+  });
   slots.drop_empty(first);
 }
 

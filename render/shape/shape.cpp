@@ -6,7 +6,7 @@ namespace firstlight::render {
 
 void Shape::meet_block(const RayColumns& rays, std::uint64_t who, const DepthWindow* nearest_only, Slots& slots) const {
   thread_local std::vector<Crossing> list;
-  const std::size_t first = slots.size();
+  SlotLists lists(*this, slots, true);
   for (; who != 0; who &= who - 1) {
     const auto i = static_cast<std::size_t>(__builtin_ctzll(who));
     list.clear();
@@ -15,20 +15,8 @@ void Shape::meet_block(const RayColumns& rays, std::uint64_t who, const DepthWin
     } else {
       crossings(rays.ray(i), list);
     }
-    for (std::size_t c = 0; c < list.size(); ++c) {
-      if (first + c == slots.size()) {
-        Slot* added = slots.add(*this);
-        if (added == nullptr) return;
-        added->has_faces = added->has_places = true;
-      }
-      Slot& slot = slots[first + c];
-      Slot::Details& details = slot.own_details();
-      slot.rays |= std::uint64_t{1} << i;
-      slot.depth[i] = list[c].depth;
-      details.face[i] = list[c].face;
-      details.place[0][i] = list[c].place[0];
-      details.place[1][i] = list[c].place[1];
-    }
+    for (const Crossing& crossing : list) lists.add(i, crossing.depth, crossing.face, crossing.place);
+    if (slots.overflowed()) return;
   }
 }
 

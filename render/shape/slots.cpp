@@ -88,6 +88,14 @@ Slot* Slots::add(const Shape& shape) {
   return &slot;
 }
 
+bool SlotLists::append() {
+  Slot* slot = slots_.add(shape_);
+  if (slot == nullptr) return false;
+  slot->has_faces = slot->has_places = with_details_;
+  if (with_details_) slot->own_details();
+  return true;
+}
+
 void Slots::drop_empty(std::size_t first) {
   std::size_t kept = first;
   for (std::size_t s = first; s < size_; ++s) {

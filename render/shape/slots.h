@@ -88,6 +88,46 @@ class Slots {
   bool overflowed_ = false;
 };
 
+/// Appends to the crossings of the rays of a block with one shape, of one ray or another: each has a list of its own,
+/// which goes through the slots from the first new one on.
+class SlotLists {
+ public:
+  /// With details, or without for all.
+  SlotLists(const Shape& shape, Slots& slots, bool with_details)
+      : shape_(shape), slots_(slots), first_(slots.size()), with_details_(with_details) {
+    count_.fill(0);
+  }
+
+  void add(std::size_t ray, double depth) {
+    if (Slot* slot = next(ray)) slot->depth[ray] = depth;
+  }
+  void add(std::size_t ray, double depth, std::uint32_t face, const std::array<double, 2>& place) {
+    Slot* slot = next(ray);
+    if (slot == nullptr) return;
+    slot->depth[ray] = depth;
+    slot->details->face[ray] = face;
+    slot->details->place[0][ray] = place[0];
+    slot->details->place[1][ray] = place[1];
+  }
+
+ private:
+  /// Null: there is no room.
+  Slot* next(std::size_t ray) {
+    const std::size_t at = first_ + count_[ray]++;
+    if (at >= slots_.size() && !append()) return nullptr;
+    Slot& slot = slots_[at];
+    slot.rays |= std::uint64_t{1} << ray;
+    return &slot;
+  }
+  bool append();
+
+  const Shape& shape_;
+  Slots& slots_;
+  std::size_t first_;
+  bool with_details_;
+  std::array<std::uint16_t, kRaysAtOnce> count_;
+};
+
 /// The nearest crossing of each ray of a block.
 struct NearestCrossings {
   std::uint64_t rays = 0;  ///< bits of those that have one

@@ -1,14 +1,21 @@
 #include "render/lanes/math.h"
-#include "render/math/polynomial.h"
 #include "render/shape/placed.h"
 #include "render/shape/primitives.h"
 #include "render/shape/tolerance.h"
+
+#undef HWY_TARGET_INCLUDE
+#define HWY_TARGET_INCLUDE "render/shape/torus.cpp"
+#include <hwy/foreach_target.h>
+
+#include "render/shape/depth_roots-inl.h"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <numbers>
 
+#ifndef FIRSTLIGHT_RENDER_SHAPE_TORUS
+#define FIRSTLIGHT_RENDER_SHAPE_TORUS
 namespace firstlight::render {
 namespace {
 
@@ -23,50 +30,11 @@ struct Torus {
   double major;
   double minor;
 
-  void meet(const Ray& given, Met& met) const {
-    const auto [length, ray] = UnitRay(given);
-    const Vec3& d = ray.direction;
-    // Depths are counted from the point nearest to the centre: there the coefficients keep their digits, however far
-    // away the ray starts.
-    const double skipped = -given.origin.dot(d);
-    const Vec3 p = given.origin + d * skipped;
-    if ((major < 0.0 || minor < 0.0) && !meets_hull(given.origin, d)) return;
-    const double thickness = std::abs(minor);
-    const double reach = (std::abs(major) + thickness) * (1.0 + kRoom);
-    const double distance_squared = p.length2();
-    const double half_squared = reach * reach - distance_squared;
-    if (!(half_squared > 0.0)) return;
-    const double half = std::sqrt(half_squared);
-    double low = std::max(-half, kNearestTorusCrossing * length - skipped);
-    double high = std::min(half, kMaxDistance * length - skipped);
-    const double top = thickness * (1.0 + kRoom);
-    if (std::abs(d.y) > kEpsilon) {
-      const double t1 = (-top - p.y) / d.y;
-      const double t2 = (top - p.y) / d.y;
-      low = std::max(low, std::min(t1, t2));
-      high = std::min(high, std::max(t1, t2));
-    } else if (std::abs(p.y) > top) {
-      return;
-    }
-    if (!(low < high)) return;
-
-    const double r2_major = major * major;
-    const double r2_minor = minor * minor;
-    const double k1 = distance_squared - r2_major - r2_minor;
-    const double k2 = p.dot(d);
-    const std::array<double, 5> quartic = {k1 * k1 + 4.0 * r2_major * (p.y * p.y - r2_minor),
-                                           4.0 * (k1 * k2 + 2.0 * r2_major * p.y * d.y),
-                                           2.0 * k1 + 4.0 * k2 * k2 + 4.0 * r2_major * d.y * d.y, 4.0 * k2, 1.0};
-    PolynomialRoots roots(quartic, low, high);
-    for (double t; !met.is_enough() && roots.next(t);) {
-      const double depth = (t + skipped) / length;
-      if (depth > kNearestTorusCrossing && depth < kMaxDistance) met.add(depth);
-    }
-  }
-  bool inside(const Vec3& p, bool inverted) const {
-    const double from_circle = std::sqrt(p.x * p.x + p.z * p.z) - major;
-    return (p.y * p.y + from_circle * from_circle <= minor * minor) != inverted;
-  }
+  void meet(const Ray& ray, Met& met) const;
+  bool inside(const Vec3& point, bool inverted) const;
+  void meet_block(const RaysAndPlace& asked, Slots& slots) const;
+  std::uint64_t inside_block(const Transform& transform, bool inverted, const Columns3<double>& points,
+                             std::uint64_t who) const;
   Vec3 normal(const Vec3& p, const Crossing&) const {
     const double from_axis = std::sqrt(p.x * p.x + p.z * p.z);
     if (!(from_axis > kEpsilon)) return p;
@@ -83,11 +51,7 @@ struct Torus {
   Box3 given_bounds() const { return box(std::abs(major + minor)); }
   Box3 inside_bounds() const { return bounds(); }
 
- private:
-  Box3 box(double outer) const {
-    const double top = std::abs(minor);
-    return Box3(Vec3(-outer, -top, -outer), Vec3(outer, top, outer));
-  }
+  bool has_negative_radius() const { return major < 0.0 || minor < 0.0; }
   /// The thick cylinder that POV-Ray asks first. Where a radius is negative it is not around all of the tube: its height
   /// is from -minor to minor, its radii are |major - minor|, or 0 if that is negative, and |major + minor|.
   bool meets_hull(const Vec3& p, const Vec3& d) const {
@@ -121,7 +85,102 @@ struct Torus {
     }
     return false;
   }
+
+ private:
+  Box3 box(double outer) const {
+    const double top = std::abs(minor);
+    return Box3(Vec3(-outer, -top, -outer), Vec3(outer, top, outer));
+  }
 };
+
+}  // namespace
+}  // namespace firstlight::render
+#endif
+
+HWY_BEFORE_NAMESPACE();
+namespace firstlight::render {
+namespace HWY_NAMESPACE {
+
+/// Depths are counted from the point nearest to the centre: there the coefficients keep their digits, however far away the
+/// ray starts.
+template <class L>
+HWY_INLINE DepthEquation<L, 4> equation_along(const Torus& torus, const RayOf<L>& given) {
+  const auto [length, ray] = unit_ray(given);
+  const Vec3Of<L>& d = ray.direction;
+  const L skipped = -dot(given.origin, d);
+  const Vec3Of<L> p = given.origin + d * skipped;
+  const double thickness = std::abs(torus.minor);
+  const double reach = (std::abs(torus.major) + thickness) * (1.0 + kRoom);
+  const L distance_squared = dot(p, p);
+  const L half = sqrt(reach * reach - distance_squared);  // no number where the ray passes outside
+  L low = max(-half, kNearestTorusCrossing * length - skipped);
+  L high = min(half, kMaxDistance * length - skipped);
+  const double top = thickness * (1.0 + kRoom);
+  const L t1 = (-top - p.y) / d.y;
+  const L t2 = (top - p.y) / d.y;
+  const auto is_steep = abs(d.y) > kEpsilon;
+  low = select(is_steep, max(low, min(t1, t2)), low);
+  high = select(is_steep, min(high, max(t1, t2)), high);
+  high = select(without(abs(p.y) > top, is_steep), low, high);
+
+  const double r2_major = torus.major * torus.major;
+  const double r2_minor = torus.minor * torus.minor;
+  const L k1 = distance_squared - r2_major - r2_minor;
+  const L k2 = dot(p, d);
+  return {{k1 * k1 + 4.0 * r2_major * (p.y * p.y - r2_minor), 4.0 * (k1 * k2 + 2.0 * r2_major * p.y * d.y),
+           2.0 * k1 + 4.0 * k2 * k2 + 4.0 * r2_major * d.y * d.y, 4.0 * k2, L(1.0)},
+          low,
+          high,
+          skipped,
+          length};
+}
+
+template <class L>
+HWY_INLINE L crossing_at(const L& t, const L& length, MaskOf<L>& counts) {
+  const L depth = t / length;
+  counts = (depth > kNearestTorusCrossing) & (depth < kMaxDistance);
+  return depth;
+}
+
+void meet_torus(const Torus& torus, const RaysAndPlace& asked, Slots& slots) {
+  DepthEquations equations;
+  equations.begin(4);
+  for_each_vector(asked, [&](const RayOf<Lanes>& ray, std::size_t i, std::uint64_t of_vector)
+                             HWY_ATTR { equations.set(i, of_vector, equation_along(torus, ray)); });
+  meet_at_roots(equations, asked, slots, crossing_at<Lanes>);
+}
+
+template <class L>
+HWY_INLINE MaskOf<L> inside(const Torus& torus, const Vec3Of<L>& p, bool inverted) {
+  const L from_circle = sqrt(p.x * p.x + p.z * p.z) - torus.major;
+  const auto is_in = p.y * p.y + from_circle * from_circle <= torus.minor * torus.minor;
+  return inverted ? !is_in : is_in;
+}
+
+FIRSTLIGHT_INSIDE_KERNEL(Torus)
+
+}  // namespace HWY_NAMESPACE
+}  // namespace firstlight::render
+HWY_AFTER_NAMESPACE();
+
+#if HWY_ONCE
+namespace firstlight::render {
+namespace {
+
+HWY_EXPORT(meet_torus);
+FIRSTLIGHT_INSIDE_MEMBERS(Torus)
+
+void Torus::meet(const Ray& ray, Met& met) const {
+  if (has_negative_radius() && !meets_hull(ray.origin, UnitRay(ray).ray.direction)) return;
+  const HWY_NAMESPACE::RayOf<One> given{HWY_NAMESPACE::everywhere<One>(ray.origin),
+                                        HWY_NAMESPACE::everywhere<One>(ray.direction)};
+  HWY_NAMESPACE::meet_at_roots(HWY_NAMESPACE::equation_along(*this, given), 4, met, HWY_NAMESPACE::crossing_at<One>);
+}
+
+void Torus::meet_block(const RaysAndPlace& asked, Slots& slots) const {
+  if (has_negative_radius()) return asked.shape.Shape::meet_block(asked.rays, asked.who, asked.nearest_only, slots);
+  HWY_DYNAMIC_DISPATCH(meet_torus)(*this, asked, slots);
+}
 
 }  // namespace
 
@@ -130,3 +189,4 @@ ShapePtr make_torus(double major, double minor) {
 }
 
 }  // namespace firstlight::render
+#endif

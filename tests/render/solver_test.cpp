@@ -1,10 +1,13 @@
 #include "render/math/polynomial.h"
+#include "tests/render/each_target.h"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <random>
+#include <string>
 #include <vector>
 
 namespace firstlight::render {
@@ -122,6 +125,53 @@ TEST(RootBound, HoldsAllRoots) {
     EXPECT_GE(bound, farthest);
     EXPECT_LE(bound, 32.0 * farthest);
   }
+}
+
+/// Random polynomials of one order, some with several roots close together, some without.
+void fill(PolynomialColumns& polynomials, std::size_t order, std::mt19937& random) {
+  std::uniform_real_distribution<double> number(-1.0, 1.0);
+  polynomials.order = order;
+  for (std::size_t i = 0; i < kRaysAtOnce; ++i) {
+    std::vector<double> roots;
+    for (std::size_t k = 0; k < order; ++k) {
+      const bool is_close = k > 0 && i % 3 == 0;
+      roots.push_back(is_close ? roots.back() + 1e-6 * number(random) : number(random));
+    }
+    std::vector<double> c = from_roots(roots);
+    if (i % 4 == 1) c[0] += std::abs(number(random));
+    for (std::size_t k = 0; k <= order; ++k) polynomials.c[k][i] = c[k];
+    polynomials.low[i] = -0.5 - 0.4 * number(random);
+    polynomials.high[i] = 0.5 + 0.4 * number(random);
+  }
+}
+
+TEST(RootColumns, HaveTheRootsOfEachPolynomialAlone) {
+  std::mt19937 random(7);
+  for_each_target([&](const std::string& target) {
+    for (const std::size_t order : {1, 2, 3, 4, 5, 6, 11}) {
+      SCOPED_TRACE(target + ", " + std::to_string(order));
+      PolynomialColumns polynomials;
+      fill(polynomials, order, random);
+      constexpr std::uint64_t kSome = 0xfff3'0e5f'77ff'a9efu;
+      RootColumns search(polynomials, kSome);
+      std::array<std::vector<double>, kRaysAtOnce> found;
+      std::size_t count = 0;
+      Column<double> root;
+      for (std::uint64_t open = kSome; (open = search.next(open, root)) != 0;) {
+        for (std::size_t i = 0; i < kRaysAtOnce; ++i) {
+          if ((open >> i & 1) != 0) found[i].push_back(root[i]);
+        }
+      }
+      for (std::size_t i = 0; i < kRaysAtOnce; ++i) {
+        std::vector<double> c;
+        for (std::size_t k = 0; k <= order; ++k) c.push_back(polynomials.c[k][i]);
+        const bool is_asked = (kSome >> i & 1) != 0;
+        EXPECT_EQ(found[i], is_asked ? roots_of(c, polynomials.low[i], polynomials.high[i]) : std::vector<double>());
+        count += found[i].size();
+      }
+      EXPECT_GT(count, 10 * order);
+    }
+  });
 }
 
 }  // namespace
