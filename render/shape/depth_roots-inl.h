@@ -9,6 +9,7 @@
 
 #include "render/math/polynomial-inl.h"
 #include "render/shape/lane_shape-inl.h"
+#include "render/shape/root_jobs.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace firstlight::render {
@@ -24,6 +25,22 @@ struct DepthEquation {
   L skipped;
   L length;
 };
+
+/// Adds the equations of those rays from the i-th on whose bits are in `of_vector`.
+template <class Jobs>
+HWY_INLINE void add_jobs(Jobs& jobs, std::size_t i, std::uint64_t of_vector, std::uint32_t part, std::size_t order,
+                         const Lanes* c, const Lanes& low, const Lanes& high) {
+  double numbers[RootBatch::kMostRoots + 1][Lanes::kCount];
+  double lows[Lanes::kCount];
+  double highs[Lanes::kCount];
+  for (std::size_t k = 0; k <= order; ++k) c[k].store(numbers[k]);
+  low.store(lows);
+  high.store(highs);
+  for (std::uint64_t left = of_vector & bits(low < high); left != 0; left &= left - 1) {
+    const auto lane = static_cast<std::size_t>(__builtin_ctzll(left));
+    jobs.add(i + lane, part, order, &numbers[0][lane], Lanes::kCount, lows[lane], highs[lane]);
+  }
+}
 
 /// Of the rays of a block.
 struct DepthEquations {

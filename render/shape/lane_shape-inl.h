@@ -120,6 +120,21 @@ HWY_INLINE void for_each_vector(const RaysAndPlace& asked, const Visit& visit) {
   }
 }
 
+/// The same of points.
+template <class Visit>
+HWY_INLINE void for_each_vector(const Transform& transform, const Columns3<double>& points, std::uint64_t who,
+                                const Visit& visit) {
+  const bool placed = !transform.is_identity();
+  const Mat4& back = transform.inverse_matrix();
+  for (std::size_t i = 0; i < kRaysAtOnce; i += Lanes::kCount) {
+    const std::uint64_t of_vector = who >> i & kAllLanes;
+    if (of_vector == 0) continue;
+    auto p = load3<Lanes>(points, i);
+    if (placed) p = point_times(p, back);
+    visit(p, i, of_vector);
+  }
+}
+
 template <class Formula>
 HWY_INLINE void meet_rays(const Formula& formula, const RaysAndPlace& asked, Slots& slots) {
   const std::size_t first = slots.size();
@@ -137,16 +152,10 @@ HWY_INLINE void meet_rays(const Formula& formula, const RaysAndPlace& asked, Slo
 template <class Formula>
 HWY_INLINE std::uint64_t points_inside(const Formula& formula, const Transform& transform, bool inverted,
                                        const Columns3<double>& points, std::uint64_t who) {
-  const bool placed = !transform.is_identity();
-  const Mat4& back = transform.inverse_matrix();
   std::uint64_t holding = 0;
-  for (std::size_t i = 0; i < kRaysAtOnce; i += Lanes::kCount) {
-    const std::uint64_t of_vector = who >> i & kAllLanes;
-    if (of_vector == 0) continue;
-    auto p = load3<Lanes>(points, i);
-    if (placed) p = point_times(p, back);
+  for_each_vector(transform, points, who, [&](const Vec3Of<Lanes>& p, std::size_t i, std::uint64_t of_vector) HWY_ATTR {
     holding |= (bits(inside(formula, p, inverted)) & of_vector) << i;
-  }
+  });
   return holding;
 }
 

@@ -1,8 +1,13 @@
 #include "render/shape/prism.h"
 
-#include "render/math/polynomial.h"
 #include "render/shape/placed.h"
 #include "render/shape/tolerance.h"
+
+#undef HWY_TARGET_INCLUDE
+#define HWY_TARGET_INCLUDE "render/shape/prism.cpp"
+#include <hwy/foreach_target.h>
+
+#include "render/shape/depth_roots-inl.h"
 
 #include <algorithm>
 #include <array>
@@ -10,6 +15,8 @@
 #include <cstddef>
 #include <utility>
 
+#ifndef FIRSTLIGHT_RENDER_SHAPE_PRISM
+#define FIRSTLIGHT_RENDER_SHAPE_PRISM
 namespace firstlight::render {
 namespace {
 
@@ -54,16 +61,6 @@ struct Rectangle {
   Rectangle() = default;
   Rectangle(const Vec2& low, const Vec2& high, double room)
       : middle((low + high) * 0.5), half((high - low) * 0.5 + Vec2(room)) {}
-
-  bool meets(const Rectangle& other) const {
-    return std::abs(middle.x - other.middle.x) <= half.x + other.half.x &&
-           std::abs(middle.y - other.middle.y) <= half.y + other.half.y;
-  }
-  /// Whether its corners lie on both sides of the line u x + v y + w = 0.
-  bool meets_line(const Vec3& line) const {
-    return std::abs(line.x * middle.x + line.y * middle.y + line.z) <=
-           std::abs(line.x) * half.x + std::abs(line.y) * half.y;
-  }
 };
 
 /// The swept curves in their own space. In the plane of the curves y stands for z.
@@ -75,6 +72,7 @@ struct Prism {
   std::vector<Rectangle> rectangles;  ///< about the segments, with room for rounding
   Vec2 low{kBoundless, kBoundless};   ///< a rectangle about the curves
   Vec2 high{-kBoundless, -kBoundless};
+  std::size_t order;  ///< of the segments' equations
   double bottom;
   double top;
   Sweep sweep;
@@ -87,6 +85,7 @@ struct Prism {
   /// Takes from `parameters` only what is beside the curves.
   Prism(std::vector<ProfileSegment> curves, const PrismParameters& parameters)
       : segments(std::move(curves)),
+        order(highest_order(segments)),
         bottom(parameters.low),
         top(parameters.high),
         sweep(parameters.sweep),
@@ -100,54 +99,16 @@ struct Prism {
     }
   }
 
-  void meet(const Ray& given, Met& met) const {
-    const auto [length, ray] = UnitRay(given);
-    const Vec3& p = ray.origin;
-    const Vec3& d = ray.direction;
-    const auto add = [&met, l = length, this](double t, std::uint32_t face, double w) {
-      const double depth = t / l;
-      if (depth > nearest && depth < kMaxDistance) met.add(depth, face, {w, 0.0});
-    };
-    if (std::abs(d.y) < kEpsilon) {
-      if (p.y < bottom || p.y > top) return;
-    } else if (!open) {
-      const auto meet_cap = [&](double height, std::uint32_t face) {
-        const double size = sweep == Sweep::conic ? height : 1.0;
-        if (!(std::abs(size) > kEpsilon)) return;
-        const double t = (height - p.y) / d.y;
-        if (t > nearest && t < kMaxDistance && is_in_curves((p.x + t * d.x) / size, (p.z + t * d.z) / size)) {
-          add(t, face, 0.0);
-        }
-      };
-      meet_cap(top, kCap);
-      meet_cap(bottom, kBase);
-    }
-    if (!(std::abs(d.x) > kEpsilon || std::abs(d.z) > kEpsilon)) return;
-    // A line in the plane of the curves: u x + v y + w = 0. Of a cone it is where the plane through the ray and the tip
-    // cuts height 1.
-    Vec3 line(d.z, -d.x, d.x * p.z - d.z * p.x);
-    if (sweep == Sweep::conic) line = Vec3(p.z * d.y - p.y * d.z, p.y * d.x - p.x * d.y, p.x * d.z - p.z * d.x);
-    const Rectangle shadow = shadow_of(p, d);
-    for (std::size_t i = 0; i < segments.size(); ++i) {
-      if (!rectangles[i].meets(shadow) || !rectangles[i].meets_line(line)) continue;
-      const ProfileSegment& s = segments[i];
-      const auto along = [&](const Vec2& v) { return line.x * v.x + line.y * v.y; };
-      const std::array<double, 4> beside = {along(s.d) + line.z, along(s.c), along(s.b), along(s.a)};
-      PolynomialRoots roots(beside, 0.0, 1.0);
-      for (double w; roots.next(w);) {
-        double t;
-        if (!depth_at(s.at(w), p, d, t)) continue;
-        const double height = p.y + t * d.y;
-        if (height >= bottom && height <= top) add(t, static_cast<std::uint32_t>(i), w);
-      }
-    }
-  }
+  void meet(const Ray& ray, Met& met) const;
   bool inside(const Vec3& p, bool inverted) const {
     if (!(p.y >= bottom && p.y < top)) return inverted;
     const double size = sweep == Sweep::conic ? p.y : 1.0;
     if (!(std::abs(size) > kEpsilon)) return inverted;
-    return is_in_curves(p.x / size, p.z / size) != inverted;
+    return holds(p.x / size, p.z / size) != inverted;
   }
+  void meet_block(const RaysAndPlace& asked, Slots& slots) const;
+  std::uint64_t inside_block(const Transform& transform, bool inverted, const Columns3<double>& points,
+                             std::uint64_t who) const;
   Vec3 normal(const Vec3& p, const Crossing& at) const {
     if (at.face == kBase && turns_base) return Vec3(0.0, -1.0, 0.0);
     if (at.face == kBase || at.face == kCap) return Vec3(0.0, 1.0, 0.0);
@@ -170,47 +131,281 @@ struct Prism {
   }
   Box3 inside_bounds() const { return bounds(); }
 
+  /// Whether the place in the plane of the curves is in them.
+  bool holds(double u, double v) const {
+    return u >= low.x && u <= high.x && v >= low.y && v <= high.y && is_in_curves(segments, u, v);
+  }
+
  private:
-  bool is_in_curves(double u, double v) const {
-    if (!(u >= low.x && u <= high.x && v >= low.y && v <= high.y)) return false;
-    std::size_t count = 0;
-    for (const ProfileSegment& segment : segments) count += crossings_beside(segment, u, v);
-    return count % 2 == 1;
-  }
   static double size(const Vec2& v) { return std::abs(v.x) + std::abs(v.y); }
-  /// About what of the ray lies between the heights of the prism, in the plane of the curves.
-  Rectangle shadow_of(const Vec3& p, const Vec3& d) const {
-    if (!(std::abs(d.y) > kEpsilon) || (sweep == Sweep::conic && !(bottom * top > 0.0))) return {};
-    const double t1 = (bottom - p.y) / d.y;
-    const double t2 = (top - p.y) / d.y;
-    Vec2 a(p.x + t1 * d.x, p.z + t1 * d.z);
-    Vec2 b(p.x + t2 * d.x, p.z + t2 * d.z);
-    double room = size(Vec2(p.x, p.z)) + size(a) + size(b);
-    if (sweep == Sweep::conic) {
-      a /= bottom;
-      b /= top;
-      room /= std::min(std::abs(bottom), std::abs(top));
-    }
-    return Rectangle(Vec2(std::min(a.x, b.x), std::min(a.y, b.y)), Vec2(std::max(a.x, b.x), std::max(a.y, b.y)),
-                     kRoom * (1.0 + room));
-  }
-  /// The depth at which the ray meets the place of a curve. False: it runs along it.
-  bool depth_at(const Vec2& place, const Vec3& p, const Vec3& d, double& t) const {
-    if (sweep == Sweep::linear) {
-      t = std::abs(d.x) > kEpsilon ? (place.x - p.x) / d.x : (place.y - p.z) / d.z;
-      return true;
-    }
-    const double approach = d.x - place.x * d.y;
-    if (std::abs(approach) > kEpsilon) {
-      t = (place.x * p.y - p.x) / approach;
-      return true;
-    }
-    const double other = d.z - place.y * d.y;
-    if (!(std::abs(other) > kEpsilon)) return false;
-    t = (place.y * p.y - p.z) / other;
+};
+
+/// The depth at which the ray meets the place of a curve. False: it runs along it.
+bool depth_at(PrismParameters::Sweep sweep, const Vec2& place, const Ray& ray, double& t) {
+  const Vec3& p = ray.origin;
+  const Vec3& d = ray.direction;
+  if (sweep == PrismParameters::Sweep::linear) {
+    t = std::abs(d.x) > kEpsilon ? (place.x - p.x) / d.x : (place.y - p.z) / d.z;
     return true;
   }
+  const double approach = d.x - place.x * d.y;
+  if (std::abs(approach) > kEpsilon) {
+    t = (place.x * p.y - p.x) / approach;
+    return true;
+  }
+  const double other = d.z - place.y * d.y;
+  if (!(std::abs(other) > kEpsilon)) return false;
+  t = (place.y * p.y - p.z) / other;
+  return true;
+}
+
+/// add(depth, face, place) if the ray, of unit length, meets the side above the place `w` of a segment.
+template <class Add>
+void add_side(const Prism& prism, const Ray& ray, double length, std::uint32_t part, double w, const Add& add) {
+  double t;
+  if (!depth_at(prism.sweep, prism.segments[part].at(w), ray, t)) return;
+  const double height = ray.origin.y + t * ray.direction.y;
+  const double depth = t / length;
+  if (height >= prism.bottom && height <= prism.top && depth > prism.nearest && depth < kMaxDistance) {
+    add(depth, part, std::array<double, 2>{w, 0.0});
+  }
+}
+
+}  // namespace
+}  // namespace firstlight::render
+#endif
+
+HWY_BEFORE_NAMESPACE();
+namespace firstlight::render {
+namespace HWY_NAMESPACE {
+
+/// As Rectangle.
+template <class L>
+struct RectangleOf {
+  L middle[2];
+  L half[2];
 };
+
+/// Whether it meets another, and its corners lie on both sides of the line u x + v y + w = 0.
+template <class L>
+HWY_INLINE MaskOf<L> meets(const Rectangle& here, const RectangleOf<L>& other, const Vec3Of<L>& line) {
+  return (abs(here.middle.x - other.middle[0]) <= here.half.x + other.half[0]) &
+         (abs(here.middle.y - other.middle[1]) <= here.half.y + other.half[1]) &
+         (abs(line.x * here.middle.x + line.y * here.middle.y + line.z) <=
+          abs(line.x) * here.half.x + abs(line.y) * here.half.y);
+}
+
+/// About what of the ray lies between the heights of the prism, in the plane of the curves.
+template <class L>
+HWY_INLINE RectangleOf<L> shadow_of(const Prism& prism, const RayOf<L>& ray) {
+  const bool is_conic = prism.sweep == PrismParameters::Sweep::conic;
+  if (is_conic && !(prism.bottom * prism.top > 0.0)) return {{0.0, 0.0}, {kFar, kFar}};
+  const Vec3Of<L>& p = ray.origin;
+  const Vec3Of<L>& d = ray.direction;
+  const L t1 = (prism.bottom - p.y) / d.y;
+  const L t2 = (prism.top - p.y) / d.y;
+  L a[2] = {p.x + t1 * d.x, p.z + t1 * d.z};
+  L b[2] = {p.x + t2 * d.x, p.z + t2 * d.z};
+  L room = abs(p.x) + abs(p.z) + (abs(a[0]) + abs(a[1])) + (abs(b[0]) + abs(b[1]));
+  if (is_conic) {
+    for (std::size_t axis = 0; axis < 2; ++axis) {
+      a[axis] = a[axis] / prism.bottom;
+      b[axis] = b[axis] / prism.top;
+    }
+    room = room / std::min(std::abs(prism.bottom), std::abs(prism.top));
+  }
+  const L more = kRoom * (1.0 + room);
+  const auto steep = abs(d.y) > kEpsilon;
+  RectangleOf<L> shadow;
+  for (std::size_t axis = 0; axis < 2; ++axis) {
+    const L low = min(a[axis], b[axis]);
+    const L high = max(a[axis], b[axis]);
+    shadow.middle[axis] = select(steep, (low + high) * 0.5, L(0.0));
+    shadow.half[axis] = select(steep, (high - low) * 0.5 + more, L(kFar));
+  }
+  return shadow;
+}
+
+/// A line in the plane of the curves: u x + v y + w = 0. Of a cone it is where the plane through the ray and the tip cuts
+/// height 1.
+template <class L>
+HWY_INLINE Vec3Of<L> line_of(const Prism& prism, const RayOf<L>& ray) {
+  const Vec3Of<L>& p = ray.origin;
+  const Vec3Of<L>& d = ray.direction;
+  if (prism.sweep == PrismParameters::Sweep::linear) return {d.z, -d.x, d.x * p.z - d.z * p.x};
+  return {p.z * d.y - p.y * d.z, p.y * d.x - p.x * d.y, p.x * d.z - p.z * d.x};
+}
+
+/// The rays that may meet the prism's sides. Level ones pass above it, or below; others run along the sides.
+template <class L>
+HWY_INLINE MaskOf<L> may_meet_sides(const Prism& prism, const RayOf<L>& ray) {
+  const Vec3Of<L>& p = ray.origin;
+  const Vec3Of<L>& d = ray.direction;
+  const auto beside = (abs(d.y) < kEpsilon) & ((p.y < prism.bottom) | (p.y > prism.top));
+  return without((abs(d.x) > kEpsilon) | (abs(d.z) > kEpsilon), beside);
+}
+
+/// Where the rays come to a cap's height, as places in the plane of the curves. Returns those that may be in them.
+template <class L>
+HWY_INLINE MaskOf<L> places_on_cap(const Prism& prism, const RayOf<L>& ray, double height, L& t, L& u, L& v) {
+  const Vec3Of<L>& p = ray.origin;
+  const Vec3Of<L>& d = ray.direction;
+  const double size = prism.sweep == PrismParameters::Sweep::conic ? height : 1.0;
+  t = (height - p.y) / d.y;
+  u = (p.x + t * d.x) / size;
+  v = (p.z + t * d.z) / size;
+  if (prism.open || !(std::abs(size) > kEpsilon)) return t < t;
+  return without((t > prism.nearest) & (t < kMaxDistance), abs(d.y) < kEpsilon) & (u >= prism.low.x) &
+         (u <= prism.high.x) & (v >= prism.low.y) & (v <= prism.high.y);
+}
+
+/// The distance of a segment's places from the line, in the curve's parameter.
+template <class L>
+HWY_INLINE void equation_of(const ProfileSegment& s, const Vec3Of<L>& line, L (&equation)[4]) {
+  const auto along = [&](const Vec2& v) HWY_ATTR { return line.x * v.x + line.y * v.y; };
+  equation[0] = along(s.d) + line.z;
+  equation[1] = along(s.c);
+  equation[2] = along(s.b);
+  equation[3] = along(s.a);
+}
+
+void meet_prism(const Prism& prism, const RaysAndPlace& asked, Slots& slots) {
+  RayColumns rays;
+  Column<double> length;
+  std::uint64_t sides = 0;
+  struct Cap {
+    double height;
+    std::uint32_t face;
+    std::uint64_t near;
+    Column<double> t, u, v;
+  };
+  Cap caps[2];
+  for (const bool is_top : {true, false}) {
+    Cap& cap = caps[is_top ? 0 : 1];
+    cap.height = is_top ? prism.top : prism.bottom;
+    cap.face = is_top ? kCap : kBase;
+    cap.near = 0;
+  }
+  for_each_vector(asked, [&](const RayOf<Lanes>& given, std::size_t i, std::uint64_t of_vector) HWY_ATTR {
+    const UnitRayOf<Lanes> unit = unit_ray(given);
+    store3(unit.ray.origin, rays.origin, i);
+    store3(unit.ray.direction, rays.direction, i);
+    store(unit.length, length, i);
+    sides |= (bits(may_meet_sides(prism, unit.ray)) & of_vector) << i;
+    for (Cap& cap : caps) {
+      Lanes t;
+      Lanes u;
+      Lanes v;
+      cap.near |= (bits(places_on_cap(prism, unit.ray, cap.height, t, u, v)) & of_vector) << i;
+      store(t, cap.t, i);
+      store(u, cap.u, i);
+      store(v, cap.v, i);
+    }
+  });
+  SlotLists lists(asked.shape, slots, true);
+  for (const Cap& cap : caps) {
+    if (cap.near == 0) continue;
+    for (std::uint64_t left = points_in_curves(prism.segments, cap.u, cap.v, cap.near); left != 0; left &= left - 1) {
+      const auto i = static_cast<std::size_t>(__builtin_ctzll(left));
+      const double depth = cap.t[i] / length[i];
+      if (depth > prism.nearest && depth < kMaxDistance) lists.add(i, depth, cap.face, {});
+    }
+  }
+  if (sides == 0) return;
+  RootJobs jobs([&](std::size_t i, std::uint32_t part, double w) {
+    add_side(prism, rays.ray(i), length[i], part, w,
+             [&](double depth, std::uint32_t face, const std::array<double, 2>& place) {
+               lists.add(i, depth, face, place);
+             });
+  });
+  for (std::size_t i = 0; i < kRaysAtOnce; i += Lanes::kCount) {
+    const std::uint64_t of_vector = sides >> i & kAllLanes;
+    if (of_vector == 0) continue;
+    const RayOf<Lanes> ray{load3<Lanes>(rays.origin, i), load3<Lanes>(rays.direction, i)};
+    const Vec3Of<Lanes> line = line_of(prism, ray);
+    const RectangleOf<Lanes> shadow = shadow_of(prism, ray);
+    for (std::uint32_t part = 0; part < prism.segments.size(); ++part) {
+      const std::uint64_t here = bits(meets(prism.rectangles[part], shadow, line)) & of_vector;
+      if (here == 0) continue;
+      Lanes equation[4];
+      equation_of(prism.segments[part], line, equation);
+      add_jobs(jobs, i, here, part, prism.order, equation, Lanes(0.0), Lanes(1.0));
+    }
+  }
+  jobs.finish();
+}
+
+inline void meet_prism_once(const Prism& prism, const Ray& given, Met& met) {
+  const auto [length, ray] = unit_ray(RayOf<One>{everywhere<One>(given.origin), everywhere<One>(given.direction)});
+  for (const bool is_top : {true, false}) {
+    One t;
+    One u;
+    One v;
+    if (!places_on_cap(prism, ray, is_top ? prism.top : prism.bottom, t, u, v).holds) continue;
+    const double depth = (t / length).v;
+    if (depth > prism.nearest && depth < kMaxDistance && is_in_curves(prism.segments, u.v, v.v)) {
+      met.add(depth, is_top ? kCap : kBase);
+    }
+  }
+  if (!may_meet_sides(prism, ray).holds) return;
+  const Ray same{Vec3(ray.origin.x.v, ray.origin.y.v, ray.origin.z.v),
+                 Vec3(ray.direction.x.v, ray.direction.y.v, ray.direction.z.v)};
+  const Vec3Of<One> line = line_of(prism, ray);
+  const RectangleOf<One> shadow = shadow_of(prism, ray);
+  for (std::uint32_t part = 0; part < prism.segments.size(); ++part) {
+    if (!meets(prism.rectangles[part], shadow, line).holds) continue;
+    One equation[4];
+    equation_of(prism.segments[part], line, equation);
+    const double c[4] = {equation[0].v, equation[1].v, equation[2].v, equation[3].v};
+    PolynomialRoots roots({c, prism.order + 1}, 0.0, 1.0);
+    for (double w; roots.next(w);) {
+      add_side(
+          prism, same, length.v, part, w,
+          [&](double depth, std::uint32_t face, const std::array<double, 2>& place) { met.add(depth, face, place); });
+    }
+  }
+}
+
+std::uint64_t inside_prism(const Prism& prism, const Transform& transform, bool inverted,
+                           const Columns3<double>& points, std::uint64_t who) {
+  Column<double> us;
+  Column<double> vs;
+  std::uint64_t near = 0;
+  for_each_vector(transform, points, who, [&](const Vec3Of<Lanes>& p, std::size_t i, std::uint64_t of_vector) HWY_ATTR {
+    const Lanes size = prism.sweep == PrismParameters::Sweep::conic ? p.y : Lanes(1.0);
+    const Lanes u = p.x / size;
+    const Lanes v = p.z / size;
+    store(u, us, i);
+    store(v, vs, i);
+    const auto may = (p.y >= prism.bottom) & (p.y < prism.top) & (abs(size) > kEpsilon) & (u >= prism.low.x) &
+                     (u <= prism.high.x) & (v >= prism.low.y) & (v <= prism.high.y);
+    near |= (bits(may) & of_vector) << i;
+  });
+  const std::uint64_t holding = near == 0 ? 0 : points_in_curves(prism.segments, us, vs, near);
+  return inverted ? who & ~holding : holding;
+}
+
+}  // namespace HWY_NAMESPACE
+}  // namespace firstlight::render
+HWY_AFTER_NAMESPACE();
+
+#if HWY_ONCE
+namespace firstlight::render {
+namespace {
+
+HWY_EXPORT(meet_prism);
+HWY_EXPORT(inside_prism);
+
+void Prism::meet(const Ray& ray, Met& met) const { HWY_NAMESPACE::meet_prism_once(*this, ray, met); }
+
+void Prism::meet_block(const RaysAndPlace& asked, Slots& slots) const {
+  HWY_DYNAMIC_DISPATCH(meet_prism)(*this, asked, slots);
+}
+
+std::uint64_t Prism::inside_block(const Transform& transform, bool inverted, const Columns3<double>& points,
+                                  std::uint64_t who) const {
+  return HWY_DYNAMIC_DISPATCH(inside_prism)(*this, transform, inverted, points, who);
+}
 
 }  // namespace
 
@@ -229,3 +424,4 @@ ShapePtr make_letter(std::vector<ProfileSegment> outline, double thickness) {
 }
 
 }  // namespace firstlight::render
+#endif

@@ -2,14 +2,51 @@
 
 #include "render/lanes/math.h"
 #include "render/math/polynomial.h"
+#include "render/shape/root_jobs.h"
 #include "render/shape/tolerance.h"
 
+#undef HWY_TARGET_INCLUDE
+#define HWY_TARGET_INCLUDE "render/shape/profile.cpp"
+#include <hwy/foreach_target.h>
+
+#include "render/lanes/lanes-inl.h"
+
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numbers>
 
+HWY_BEFORE_NAMESPACE();
 namespace firstlight::render {
+namespace HWY_NAMESPACE {
+
+/// The bits of those points for which a line in the direction of growing u may meet the segment.
+std::uint64_t points_beside(const ProfileSegment& segment, const Column<double>& u, const Column<double>& v,
+                            std::uint64_t who) {
+  std::uint64_t beside = 0;
+  for (std::size_t i = 0; i < kRaysAtOnce; i += Lanes::kCount) {
+    if ((who >> i & kAllLanes) == 0) continue;
+    const auto height = load<Lanes>(v, i);
+    const auto misses = (height < segment.low.y) | (height > segment.high.y) | (load<Lanes>(u, i) > segment.high.x);
+    beside |= (~std::uint64_t{bits(misses)} & kAllLanes) << i;
+  }
+  return beside & who;
+}
+
+}  // namespace HWY_NAMESPACE
+}  // namespace firstlight::render
+HWY_AFTER_NAMESPACE();
+
+#if HWY_ONCE
+namespace firstlight::render {
+
+HWY_EXPORT(points_beside);
+
 namespace {
+
+std::array<double, 4> height_above(const ProfileSegment& segment, double v) {
+  return {segment.d.y - v, segment.c.y, segment.b.y, segment.a.y};
+}
 
 void include(ProfileSegment& segment, const Vec2& point) {
   for (int axis = 0; axis < 2; ++axis) {
@@ -80,13 +117,40 @@ ProfileSegment profile_segment(ProfileSpline spline, const std::vector<Vec2>& po
   return segment;
 }
 
-std::size_t crossings_beside(const ProfileSegment& segment, double u, double v) {
-  if (v < segment.low.y || v > segment.high.y || u > segment.high.x) return 0;
-  const std::array<double, 4> height = {segment.d.y - v, segment.c.y, segment.b.y, segment.a.y};
-  PolynomialRoots roots(height, 0.0, 1.0);
-  std::size_t count = 0;
-  for (double w; roots.next(w);) count += segment.at(w).x >= u ? 1 : 0;
-  return count;
+std::size_t highest_order(std::span<const ProfileSegment> segments) {
+  std::size_t order = 1;
+  for (const ProfileSegment& segment : segments) order = std::max(order, segment.order());
+  return order;
+}
+
+bool is_in_curves(std::span<const ProfileSegment> segments, double u, double v) {
+  bool is_in = false;
+  const std::size_t order = highest_order(segments);
+  for (const ProfileSegment& segment : segments) {
+    if (v < segment.low.y || v > segment.high.y || u > segment.high.x) continue;
+    const std::array<double, 4> height = height_above(segment, v);
+    PolynomialRoots roots({height.data(), order + 1}, 0.0, 1.0);
+    for (double w; roots.next(w);) is_in ^= segment.at(w).x >= u;
+  }
+  return is_in;
+}
+
+std::uint64_t points_in_curves(std::span<const ProfileSegment> segments, const Column<double>& u,
+                               const Column<double>& v, std::uint64_t who) {
+  std::uint64_t holding = 0;
+  const std::size_t order = highest_order(segments);
+  RootJobs jobs([&](std::size_t point, std::uint32_t part, double w) {
+    if (segments[part].at(w).x >= u[point]) holding ^= std::uint64_t{1} << point;
+  });
+  for (std::uint32_t part = 0; part < segments.size(); ++part) {
+    const ProfileSegment& segment = segments[part];
+    for (std::uint64_t left = HWY_DYNAMIC_DISPATCH(points_beside)(segment, u, v, who); left != 0; left &= left - 1) {
+      const auto point = static_cast<std::size_t>(__builtin_ctzll(left));
+      jobs.add(point, part, order, height_above(segment, v[point]).data(), 1, 0.0, 1.0);
+    }
+  }
+  jobs.finish();
+  return holding;
 }
 
 double turn_about_y(double x, double z) {
@@ -98,3 +162,4 @@ double turn_about_y(double x, double z) {
 }
 
 }  // namespace firstlight::render
+#endif
