@@ -287,18 +287,23 @@ bool Solid::inside(const Vec3& point) const {
   return inside_all(structure.clips, point) && inside_unclipped(point);
 }
 
+std::optional<Extent> Solid::start_extent() const {
+  if (!is_plain()) return structure_->extent;
+  return dynamic_cast<const Plane*>(shape.get()) != nullptr ? std::nullopt : std::optional(extent());
+}
+
 bool Solid::holds_start(const Vec3& point) const {
-  if (is_plain()) return (dynamic_cast<const Plane*>(shape.get()) != nullptr || extent().holds(point)) && inside(point);
-  return (!structure_->extent || structure_->extent->holds(point)) && inside_unclipped(point);
+  const std::optional<Extent> extent = start_extent();
+  return (!extent || extent->holds(point)) && inside_without_clips(point);
+}
+
+bool Solid::inside_without_clips(const Vec3& point) const {
+  return is_plain() ? shape->inside(point) : inside_unclipped(point);
 }
 
 bool Solid::may_hold_start(const Box3& points) const {
-  if (is_plain()) {
-    if (dynamic_cast<const Plane*>(shape.get()) != nullptr) return true;
-  } else if (!structure_->extent) {
-    return true;
-  }
-  return extent().meets(points);
+  const std::optional<Extent> extent = start_extent();
+  return !extent || extent->meets(points);
 }
 
 /// Pre: not plain.

@@ -10,6 +10,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 namespace firstlight::render {
@@ -93,9 +94,12 @@ class Solid {
   bool inside(const Vec3& point) const;
   /// Returns the bits of those points in `who` that are inside. Pre: the solid suits blocks.
   std::uint64_t inside(const Columns3<double>& points, std::uint64_t who) const;
-  /// Whether a ray that begins at `point`, in space, begins in the solid.
+  /// Whether a ray that begins at `point`, in space, begins in the solid: in start_extent() and inside_without_clips().
   /// Source   POV-Ray 3.7: it asks the bounding box, and does not ask what clips the whole.
   bool holds_start(const Vec3& point) const;
+  /// Nothing: everywhere.
+  std::optional<Extent> start_extent() const;
+  bool inside_without_clips(const Vec3& point) const;
   /// False only where holds_start() is false at all points of the box.
   bool may_hold_start(const Box3& points) const;
 

@@ -105,19 +105,24 @@ struct ListSink {
   }
 };
 
-/// visit(ray, i, of_vector) for the rays from the i-th on, in the shape's space. In `of_vector` are bits of those of them
-/// that count.
+/// visit(ray, i, of_vector) for the rays from the i-th on, in the space that `transform` leads from. In `of_vector` are
+/// bits of those of them that count.
 template <class Visit>
-HWY_INLINE void for_each_vector(const RaysAndPlace& asked, const Visit& visit) {
-  const bool placed = !asked.transform.is_identity();
-  const Mat4& back = asked.transform.inverse_matrix();
+HWY_INLINE void for_each_vector(const Transform& transform, const RayColumns& rays, std::uint64_t who,
+                                const Visit& visit) {
+  const bool placed = !transform.is_identity();
+  const Mat4& back = transform.inverse_matrix();
   for (std::size_t i = 0; i < kRaysAtOnce; i += Lanes::kCount) {
-    const std::uint64_t of_vector = asked.who >> i & kAllLanes;
+    const std::uint64_t of_vector = who >> i & kAllLanes;
     if (of_vector == 0) continue;
-    RayOf<Lanes> ray{load3<Lanes>(asked.rays.origin, i), load3<Lanes>(asked.rays.direction, i)};
+    RayOf<Lanes> ray{load3<Lanes>(rays.origin, i), load3<Lanes>(rays.direction, i)};
     if (placed) ray = {point_times(ray.origin, back), direction_times(ray.direction, back)};
     visit(ray, i, of_vector);
   }
+}
+template <class Visit>
+HWY_INLINE void for_each_vector(const RaysAndPlace& asked, const Visit& visit) {
+  for_each_vector(asked.transform, asked.rays, asked.who, visit);
 }
 
 /// The same of points.

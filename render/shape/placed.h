@@ -27,6 +27,8 @@ class Met {
   bool is_enough() const { return is_enough_; }
   /// Whether more than one crossing is wanted.
   bool wants_all() const { return low_ == kBoundless; }
+  /// Crossings up to this depth are not wanted, but may be added.
+  double low() const { return low_; }
   /// Crossings behind this depth need not be added.
   double high() const { return high_; }
 

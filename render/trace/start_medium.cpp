@@ -6,16 +6,17 @@
 namespace firstlight::render {
 namespace {
 
-std::uint32_t with(const Solid& solid, const Vec3& point, std::uint32_t medium, MediumTable& media) {
-  const bool may_be_in = solid.matter != Solid::kNoMatter && !media.contains(medium, solid.matter);
-  return may_be_in && solid.holds_start(point) ? media.entered(medium, solid.matter) : medium;
+bool may_enter(const Solid& solid, std::uint32_t medium, const MediumTable& media) {
+  return solid.matter != Solid::kNoMatter && !media.contains(medium, solid.matter);
 }
 
 }  // namespace
 
 std::uint32_t medium_at(const Scene& scene, MediumTable& media, const Vec3& point) {
   std::uint32_t medium = MediumTable::kOutside;
-  for (const Solid& solid : scene.solids) medium = with(solid, point, medium, media);
+  for (const Solid& solid : scene.solids) {
+    if (may_enter(solid, medium, media) && solid.holds_start(point)) medium = media.entered(medium, solid.matter);
+  }
   return medium;
 }
 
@@ -31,13 +32,18 @@ StartMedium::StartMedium(const Scene& scene, MediumTable& media, const Box3& ori
     return;
   }
   for (const Solid& solid : scene.solids) {
-    if (may_hold_start(solid, origins)) holders_.push_back(&solid);
+    if (may_hold_start(solid, origins)) holders_.push_back({&solid, solid.start_extent()});
   }
 }
 
 std::uint32_t StartMedium::ask(const Vec3& origin) const {
   std::uint32_t medium = MediumTable::kOutside;
-  for (const Solid* solid : holders_) medium = with(*solid, origin, medium, media_);
+  for (const auto& [solid, extent] : holders_) {
+    if (extent && !extent->holds(origin)) continue;
+    if (may_enter(*solid, medium, media_) && solid->inside_without_clips(origin)) {
+      medium = media_.entered(medium, solid->matter);
+    }
+  }
   return medium;
 }
 

@@ -1,8 +1,10 @@
 #pragma once
 
 #include "render/math/vec.h"
+#include "render/scene/extent.h"
 
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 namespace firstlight::render {
@@ -31,11 +33,16 @@ class StartMedium {
   std::uint32_t of(const Vec3& origin) const { return holders_.empty() ? everywhere_ : ask(origin); }
 
  private:
+  struct Holder {
+    const Solid* solid;
+    std::optional<Extent> extent;  ///< where it is asked
+  };
+
   std::uint32_t ask(const Vec3& origin) const;
 
   MediumTable& media_;
   std::uint32_t everywhere_;  ///< where nothing holds an origin
-  std::vector<const Solid*> holders_;  ///< in the scene's order
+  std::vector<Holder> holders_;  ///< in the scene's order
 };
 
 }  // namespace firstlight::render
