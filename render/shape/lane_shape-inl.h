@@ -16,6 +16,7 @@
 #endif
 
 #include "render/lanes/lanes-inl.h"
+#include "render/lanes/length-inl.h"
 #include "render/math/ray_columns.h"
 #include "render/math/transform.h"
 #include "render/shape/placed.h"
@@ -24,7 +25,6 @@
 
 #include <cstddef>
 #include <cstdint>
-#include <limits>
 
 HWY_BEFORE_NAMESPACE();
 namespace firstlight::render {
@@ -43,20 +43,9 @@ struct UnitRayOf {
   RayOf<L> ray;
 };
 
-/// The length of vectors whose squares are too small for a double.
-template <class L>
-HWY_NOINLINE L tiny_length(const Vec3Of<L>& v) {
-  const L largest = max(max(abs(v.x), abs(v.y)), abs(v.z));
-  const Vec3Of<L> shape = v / largest;
-  return select(largest == 0.0, L(0.0), largest * sqrt(dot(shape, shape)));
-}
-
 template <class L>
 HWY_INLINE UnitRayOf<L> unit_ray(const RayOf<L>& given) {
-  const L square = dot(given.direction, given.direction);
-  const auto tiny = square < 2.0 * std::numeric_limits<double>::min();
-  L length = sqrt(square);
-  if (any(tiny)) length = select(tiny, tiny_length(given.direction), length);
+  const L length = exact_length(given.direction);
   return {length, {given.origin, given.direction * (1.0 / length)}};
 }
 

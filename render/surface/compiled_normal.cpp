@@ -23,27 +23,7 @@ double hermite(double t, const SlopePoint& a, const SlopePoint& b) {
          a.height;
 }
 
-void normalize_all(std::size_t count, Columns3<double>& normals) {
-  for (std::size_t i = 0; i < count; ++i) normals.set(i, normals.vector(i).normalized());
-}
-
 }  // namespace
-
-Vec3 NormalSpace::into(Vec3 normal) const {
-  if (!keeps_length) normal.normalize();
-  if (placement != nullptr) normal = placement->normal(normal);
-  normal = warps->normal_to_pattern(normal);
-  if (!keeps_length) normal.normalize();
-  return normal;
-}
-
-Vec3 NormalSpace::out_of(Vec3 normal) const {
-  if (!keeps_length) normal.normalize();
-  normal = warps->normal_from_pattern(normal);
-  if (placement != nullptr) normal = placement->inverse().normal(normal);
-  if (!keeps_length) normal.normalize();
-  return normal;
-}
 
 CompiledNormal::CompiledNormal(const Normal& source, const PatternWorld& world, bool keeps_length)
     : source_(&source),
@@ -67,7 +47,7 @@ void CompiledNormal::tilt(const SurfacePoints& points, const Transform* placemen
   const NormalSpace space{placement, &pattern.warps, keeps_length_};
   Columns3<double> there;
   pattern_.to_pattern(points, there);
-  for (std::size_t i = 0; i < points.size; ++i) normals.set(i, space.into(normals.vector(i)));
+  space.into(points.size, normals);
   const bool by_map = !entries_.empty() && pattern.kind != PatternKind::average;
   if (by_map) {
     tilt_by_map(points, there, normals);
@@ -78,7 +58,7 @@ void CompiledNormal::tilt(const SurfacePoints& points, const Transform* placemen
   } else {
     tilt_by_heights(points, there, normals);
   }
-  for (std::size_t i = 0; i < points.size; ++i) normals.set(i, space.out_of(normals.vector(i)));
+  space.out_of(points.size, normals);
   if (by_map) normalize_all(points.size, normals);
 }
 
@@ -129,8 +109,10 @@ void CompiledNormal::tilt_by_average(const SurfacePoints& points, const Columns3
     const auto share = static_cast<float>(source_->normals->entries[k].position);
     Columns3<double> tilted = start;
     entries_[k].tilt(*moved, nullptr, tilted);
-    for (std::size_t i = 0; i < points.size; ++i) {
-      normals.set(i, normals.vector(i) + tilted.vector(i) * static_cast<double>(share));
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      for (std::size_t i = 0; i < points.size; ++i) {
+        normals.of[axis][i] += tilted.of[axis][i] * static_cast<double>(share);
+      }
     }
     total += share;
   }
@@ -144,10 +126,15 @@ void CompiledNormal::tilt_by_heights(const SurfacePoints& points, const Columns3
   Columns3<double> corner;
   Column<double> heights;
   for (const Vec3& toward : kCorners) {
-    for (std::size_t i = 0; i < points.size; ++i) corner.set(i, there.vector(i) + toward * reach);
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      const double step = toward[static_cast<int>(axis)] * reach;
+      for (std::size_t i = 0; i < points.size; ++i) corner.of[axis][i] = there.of[axis][i] + step;
+    }
     pattern_.places(corner, points, heights);
-    for (std::size_t i = 0; i < points.size; ++i) {
-      normals.set(i, normals.vector(i) + toward * (height(heights[i]) * amount));
+    for (std::size_t i = 0; i < points.size; ++i) heights[i] = height(heights[i]) * amount;
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      const double side = toward[static_cast<int>(axis)];
+      for (std::size_t i = 0; i < points.size; ++i) normals.of[axis][i] += side * heights[i];
     }
   }
 }

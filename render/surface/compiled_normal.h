@@ -1,21 +1,12 @@
 #pragma once
 
 #include "render/surface/compiled_pattern.h"
+#include "render/surface/normal_space.h"
 #include "render/texture/normal.h"
 
 #include <vector>
 
 namespace firstlight::render {
-
-/// The way of a normal into a space in which it is tilted, and back.
-struct NormalSpace {
-  const Transform* placement = nullptr;  ///< from the scene to the space; null: they are one
-  const Warps* warps = nullptr;          ///< from the pattern to the space; of all of them transformations alone count
-  bool keeps_length = false;             ///< no_bump_scale: a space that stretches normals makes bumps weaker
-
-  Vec3 into(Vec3 normal) const;
-  Vec3 out_of(Vec3 normal) const;
-};
 
 /// A normal ready to tilt.
 ///

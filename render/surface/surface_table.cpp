@@ -25,7 +25,8 @@ std::uint32_t material_at(const ImageMap& image, const Vec3& point, std::uint32_
   const double number = sample.index != -1 ? sample.index : std::trunc(static_cast<double>(sample.color.rgb.x) * 255.0);
   if (!(number > 0.0)) return 0;
   const double materials = count;
-  return static_cast<std::uint32_t>(std::min(number > materials ? std::fmod(number, materials) : number, materials - 1.0));
+  return static_cast<std::uint32_t>(
+      std::min(number > materials ? std::fmod(number, materials) : number, materials - 1.0));
 }
 
 /// The factor on light that is gathered behind a surface of clear matter: 1 + |n.d|^(45 caustics). [POV-Ray 3.7]
@@ -52,8 +53,7 @@ SurfaceTable::SurfaceTable(const Scene& scene)
   }
   glossy_.reserve(scene.parts.size());
   for (const Part& part : scene.parts) {
-    const bool is_glossy =
-        part.has_shape_textures || (part.texture != kNoIndex && has_gloss(roots_[part.texture]));
+    const bool is_glossy = part.has_shape_textures || (part.texture != kNoIndex && has_gloss(roots_[part.texture]));
     glossy_.push_back(static_cast<std::uint8_t>(is_glossy));
   }
 }
@@ -87,8 +87,7 @@ std::uint32_t SurfaceTable::compile(const Texture& texture) {
     for (const TextureLayer& layer : texture.layers) {
       const SurfaceLayer& surface = layers_.emplace_back(prepared(layer));
       coat.is_even = coat.is_even && surface.is_plain && surface.normal == nullptr;
-      coat.is_settled =
-          coat.is_settled && coat.is_even && (surface.is_even_mirror || !layer.finish->conserve_energy);
+      coat.is_settled = coat.is_settled && coat.is_even && (surface.is_even_mirror || !layer.finish->conserve_energy);
       node.by_uv = node.by_uv || render::goes_by_uv(layer.pigment) ||
                    (layer.extras->normal && render::goes_by_uv(*layer.extras->normal));
       node.by_surface = node.by_surface || surface.normal != nullptr || render::goes_by_surface(layer.pigment);
@@ -255,18 +254,17 @@ void SurfaceTable::unfold_node(const Node& node, const Way& way, const SurfacePo
 void SurfaceTable::look(const SurfaceLayer& layer, CoatPoints& coat, LayerLook& look) const {
   SurfacePoints& points = coat.points;
   if (layer.normal != nullptr) {
-    for (std::size_t i = 0; i < points.size; ++i) {
-      Vec3 normal = points.normal.vector(i);
-      for (const NormalSpace& space : coat.spaces) normal = space.into(normal);
-      look.normals.set(i, normal);
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      std::copy_n(points.normal.of[axis].at.begin(), points.size, look.normals.of[axis].at.begin());
     }
+    for (const NormalSpace& space : coat.spaces) space.into(points.size, look.normals);
     layer.normal->tilt(points, coat.placement, look.normals);
-    for (std::size_t i = 0; i < points.size; ++i) {
-      Vec3 normal = look.normals.vector(i);
-      if (layer.normal->keeps_length()) normal.normalize();
-      for (auto space = coat.spaces.rbegin(); space != coat.spaces.rend(); ++space) normal = space->out_of(normal);
-      look.normals.set(i, normal);
-      points.tilted.set(i, normal);
+    if (layer.normal->keeps_length()) normalize_all(points.size, look.normals);
+    for (auto space = coat.spaces.rbegin(); space != coat.spaces.rend(); ++space) {
+      space->out_of(points.size, look.normals);
+    }
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      std::copy_n(look.normals.of[axis].at.begin(), points.size, points.tilted.of[axis].at.begin());
     }
   }
   if (layer.pigment != nullptr) layer.pigment->colors(points, look.colors);
@@ -293,8 +291,8 @@ void SurfaceTable::filter_by(CoatPoints& coat, std::span<Rgb> light, double caus
   }
 }
 
-void SurfaceTable::filter(std::uint32_t texture, const SurfacePoints& points, std::span<Rgb> light,
-                          CoatList& scratch, double caustics) const {
+void SurfaceTable::filter(std::uint32_t texture, const SurfacePoints& points, std::span<Rgb> light, CoatList& scratch,
+                          double caustics) const {
   if (const Coat* coat = even_coat(texture)) {
     for (const SurfaceLayer& layer : layers(*coat)) {
       for (std::size_t i = 0; i < points.size; ++i) {

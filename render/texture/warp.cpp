@@ -258,21 +258,5 @@ Vec3 Warps::to_pattern(const Vec3& point, bool moves) const {
   return points.vector(0);
 }
 
-Vec3 Warps::normal_to_pattern(const Vec3& normal) const {
-  Vec3 there = normal;
-  for (auto step = steps.rbegin(); step != steps.rend(); ++step) {
-    if (const auto* transform = std::get_if<Transform>(&*step)) there = transform->inverse().normal(there);
-  }
-  return there;
-}
-
-Vec3 Warps::normal_from_pattern(const Vec3& normal) const {
-  Vec3 here = normal;
-  for (const Warp& step : steps) {
-    if (const auto* transform = std::get_if<Transform>(&step)) here = transform->normal(here);
-  }
-  return here;
-}
-
 }  // namespace firstlight::render
 #endif

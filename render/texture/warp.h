@@ -81,10 +81,6 @@ struct Warps {
   /// turbulence too.
   void to_pattern(Columns3<double>& points, std::size_t count, bool moves = true) const;
   Vec3 to_pattern(const Vec3& point, bool moves = true) const;
-  /// A surface normal on the same way, which transformations alone change; its length is left as it comes.
-  Vec3 normal_to_pattern(const Vec3& normal) const;
-  /// And back.
-  Vec3 normal_from_pattern(const Vec3& normal) const;
 };
 
 }  // namespace firstlight::render

@@ -12,13 +12,16 @@ void Stepper::see_surroundings(std::span<const RayTask> tasks, std::span<Contrib
   const Sky& sky = table_->sky();
   const bool is_veiled = !veils_of_scene_.empty();
   if (is_veiled) {
+    std::uint64_t veiled = 0;
+    Column<double> depth{};
     for (std::size_t i = 0; i < tasks.size(); ++i) {
-      const RayTask& task = tasks[i];
-      veils_[i] = {};
-      if (!is_hollow(context_.scene, context_.media, task.medium)) continue;
-      const double depth = hits_[i].part == kNoIndex ? std::min(kSkyDepth, rays_->max_depth[i]) : hits_[i].depth;
-      veils_[i] = veils_of_scene_.across({task.origin, rays_->direction.vector(i)}, depth);
-      light[i].light += FixedRgb::from(task.weight() * veils_[i].added);
+      depth[i] = hits_[i].part == kNoIndex ? std::min(kSkyDepth, rays_->max_depth[i]) : hits_[i].depth;
+      veiled |= std::uint64_t{is_hollow(context_.scene, context_.media, tasks[i].medium)} << i;
+    }
+    veils_of_scene_.across(veiled, tasks.size(), *rays_, depth, veils_);
+    for (std::uint64_t rest = veiled; rest != 0; rest &= rest - 1) {
+      const auto i = static_cast<std::size_t>(std::countr_zero(rest));
+      light[i].light += FixedRgb::from(tasks[i].weight() * veils_[i].added);
     }
   }
   const auto weight = [&](std::size_t i) { return is_veiled ? tasks[i].weight() * veils_[i].kept : tasks[i].weight(); };

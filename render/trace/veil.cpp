@@ -1,10 +1,11 @@
 #include "render/trace/veil.h"
 
 #include "render/lanes/math.h"
-#include "render/math/noise.h"
 #include "render/math/point_hash.h"
+#include "render/trace/fog_share.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numbers>
 
@@ -12,41 +13,6 @@ namespace firstlight::render {
 namespace {
 
 constexpr double kNegligible = 1e-10;
-
-double turbulence_at(const Fog& fog, const Vec3& point, int generator) {
-  const FogTurbulence& turbulent = *fog.turbulence;
-  const Octaves octaves{turbulent.octaves, static_cast<float>(turbulent.lambda), static_cast<float>(turbulent.omega)};
-  return turbulence(point * turbulent.amount, octaves, generator);
-}
-
-/// Mean density of ground fog between two heights, in units of `altitude` above `offset`: it is 1 below 0 and 1/(1+y^2)
-/// above, whose integral is atan(y).
-double mean_density(double start, double end) {
-  if (start <= 0.0 && end <= 0.0) return 1.0;
-  if (start <= 0.0) return (steady::arc_tangent(end) - start) / (end - start);
-  if (end <= 0.0) return (steady::arc_tangent(start) - end) / (start - end);
-  const double rise = start - end;
-  if (std::abs(rise) > kNegligible) return (steady::arc_tangent(start) - steady::arc_tangent(end)) / rise;
-  return 1.0 / (start * start + 1.0);
-}
-
-/// Share of the light that is left after a way through the fog.
-double left_by(const Fog& fog, const Ray& ray, double depth, int generator) {
-  const Vec3 end = ray.origin + ray.direction * depth;
-  double density = 1.0;
-  if (fog.type == Fog::kGround) {
-    density = mean_density((ray.origin.dot(fog.up) - fog.offset) / fog.altitude,
-                           (end.dot(fog.up) - fog.offset) / fog.altitude);
-  }
-  double way = depth;
-  if (fog.turbulence) {
-    const Vec3 middle = fog.type == Fog::kGround ? (ray.origin + end) * 0.5 : ray.origin + ray.direction * (depth / 2.0);
-    // The longer the way, the more of the turbulence evens out.
-    const double evenness = steady::exponential(-depth / fog.distance);
-    way *= 1.0 - evenness * std::min(1.0, turbulence_at(fog, middle, generator) * fog.turbulence_depth);
-  }
-  return steady::exponential(-way * density / fog.distance);
-}
 
 }  // namespace
 
@@ -72,30 +38,36 @@ Veils::Veils(const Scene& scene) : noise_generator_(scene.settings.noise_generat
   }
 }
 
-Veil Veils::across(const Ray& ray, double depth) const {
-  Veil veil;
-  if (!bows_.empty()) veil = bows(ray, depth);
-  if (!fogs_.empty()) add_fogs(ray, depth, veil);
-  return veil;
+void Veils::across(std::uint64_t who, std::size_t count, const RayColumns& rays, const Column<double>& depth,
+                   std::span<Veil> veils) const {
+  for (std::size_t i = 0; i < count; ++i) {
+    veils[i] = (who >> i & 1u) != 0 && !bows_.empty() ? bows(rays.ray(i), depth[i]) : Veil();
+  }
+  if (fogs_.empty() || who == 0) return;
+  std::array<Veil, kRaysAtOnce> in_fog;
+  Column<double> share;
+  for (const Fog* fog : fogs_) {
+    find_fog_shares(*fog, noise_generator_, count, rays.origin, rays.direction, depth, share);
+    for (std::size_t i = 0; i < count; ++i) add_fog(*fog, share[i], in_fog[i]);
+  }
+  for (std::size_t i = 0; i < count; ++i) {
+    if ((who >> i & 1u) == 0) continue;
+    veils[i] = {in_fog[i].kept * veils[i].kept, in_fog[i].added + in_fog[i].kept * veils[i].added};
+  }
 }
 
 Rgb Veils::left_of_light(const Ray& ray, double depth) const {
   Veil veil;
-  add_fogs(ray, depth, veil);
+  for (const Fog* fog : fogs_) add_fog(*fog, fog_share(*fog, noise_generator_, ray, depth), veil);
   return veil.kept;
 }
 
-void Veils::add_fogs(const Ray& ray, double depth, Veil& veil) const {
-  Rgb kept(1.0f);
-  Rgb added(0.0f);
-  for (const Fog* fog : fogs_) {
-    const FilteredColor& color = fog->color;
-    const auto left = static_cast<float>(
-        std::max(left_by(*fog, ray, depth, noise_generator_), static_cast<double>(color.transmit)));
-    kept *= (Rgb(1.0f - color.filter) + color.rgb * color.filter) * left;
-    added += color.rgb * (1.0f - left);
-  }
-  veil = {kept * veil.kept, added + kept * veil.added};
+/// `share`: of the light that the fog leaves.
+void Veils::add_fog(const Fog& fog, double share, Veil& veil) {
+  const FilteredColor& color = fog.color;
+  const auto left = static_cast<float>(std::max(share, static_cast<double>(color.transmit)));
+  veil.kept *= (Rgb(1.0f - color.filter) + color.rgb * color.filter) * left;
+  veil.added += color.rgb * (1.0f - left);
 }
 
 Veil Veils::bows(const Ray& ray, double depth) const {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "render/math/ray_columns.h"
 #include "render/math/transform.h"
 #include "render/scene/scene.h"
 #include "render/surface/compiled_pigment.h"
@@ -8,6 +9,7 @@
 #include <cstdint>
 #include <memory>
 #include <optional>
+#include <span>
 #include <vector>
 
 namespace firstlight::render {
@@ -29,12 +31,12 @@ class Veils {
   explicit Veils(const Scene& scene);
 
   bool empty() const { return fogs_.empty() && bows_.empty(); }
-  /// From the origin of the ray, whose direction has unit length, to `depth`.
-  Veil across(const Ray& ray, double depth) const;
+  /// Of the first `count` rays, whose directions have unit length, from the origin to `depth`; of those that are not in
+  /// `who` the veil is none.
+  void across(std::uint64_t who, std::size_t count, const RayColumns& rays, const Column<double>& depth,
+              std::span<Veil> veils) const;
   /// Whether fogs weaken the light on its way to surfaces.
-  bool weaken(const Light& light) const {
-    return !fogs_.empty() && light.media_attenuation && light.media_interaction;
-  }
+  bool weaken(const Light& light) const { return !fogs_.empty() && light.media_attenuation && light.media_interaction; }
   /// The share of such a light that is left.
   Rgb left_of_light(const Ray& ray, double depth) const;
 
@@ -42,14 +44,14 @@ class Veils {
   struct Bow {
     const Rainbow* source;
     Vec3 right;
-    double inner;  ///< radians, from the direction
-    double width;  ///< radians
-    double fading;  ///< radians on which the ends of the arc fade
+    double inner;                            ///< radians, from the direction
+    double width;                            ///< radians
+    double fading;                           ///< radians on which the ends of the arc fade
     std::unique_ptr<const Pigment> pigment;  ///< along x
     std::unique_ptr<const CompiledPigment> colors;
   };
 
-  void add_fogs(const Ray& ray, double depth, Veil& veil) const;
+  static void add_fog(const Fog& fog, double share, Veil& veil);
   Veil bows(const Ray& ray, double depth) const;
   /// The bow's own veil; nothing where it does not show. `number`: of the bow, for its jitter.
   std::optional<Veil> bow(const Bow& bow, const Ray& ray, double depth, std::uint64_t number) const;

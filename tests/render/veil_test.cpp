@@ -12,6 +12,17 @@ namespace {
 
 const Ray kForward{{0, 0, 0}, {0, 0, 1}};
 
+Veil across(const Veils& veils, const Ray& ray, double depth) {
+  RayColumns rays;
+  rays.origin.set(0, ray.origin);
+  rays.direction.set(0, ray.direction);
+  Column<double> depths;
+  depths[0] = depth;
+  Veil veil;
+  veils.across(1, 1, rays, depths, {&veil, 1});
+  return veil;
+}
+
 Fog fog_of(double distance, const Rgb& color) {
   Fog fog;
   fog.distance = distance;
@@ -23,7 +34,7 @@ TEST(Veil, FogTakesAndGivesByTheWay) {
   Scene scene;
   EXPECT_TRUE(Veils(scene).empty());
   scene.atmosphere.fogs = {fog_of(10.0, Rgb(0.5f, 1.0f, 0.0f)), fog_of(0.0, Rgb(1.0f))};
-  const Veil veil = Veils(scene).across(kForward, 20.0);
+  const Veil veil = across(Veils(scene), kForward, 20.0);
   const float left = std::exp(-2.0f);
   EXPECT_NEAR(veil.kept.x, left, 1e-6);
   EXPECT_NEAR(veil.added.x, 0.5f * (1.0f - left), 1e-6);
@@ -34,7 +45,7 @@ TEST(Veil, FogTakesAndGivesByTheWay) {
 TEST(Veil, SeveralFogsMultiplyAndAdd) {
   Scene scene;
   scene.atmosphere.fogs = {fog_of(10.0, Rgb(1.0f)), fog_of(5.0, Rgb(0.5f))};
-  const Veil veil = Veils(scene).across(kForward, 10.0);
+  const Veil veil = across(Veils(scene), kForward, 10.0);
   EXPECT_NEAR(veil.kept.x, std::exp(-3.0), 1e-6);
   EXPECT_NEAR(veil.added.x, 1.0 - std::exp(-1.0) + 0.5 * (1.0 - std::exp(-2.0)), 1e-6);
 }
@@ -46,9 +57,9 @@ TEST(Veil, GroundFogIsThinAbove) {
   fog.altitude = 1.0;
   scene.atmosphere.fogs = {fog};
   const Veils veils(scene);
-  EXPECT_NEAR(veils.across({{0, -5, 0}, {0, 0, 1}}, 2.0).kept.x, std::exp(-2.0), 1e-6);
-  EXPECT_NEAR(veils.across({{0, 3, 0}, {0, 0, 1}}, 2.0).kept.x, std::exp(-0.2), 1e-6);
-  EXPECT_NEAR(veils.across({{0, 0, 0}, {0, 1, 0}}, 1.0).kept.x, std::exp(-std::atan(1.0)), 1e-6);
+  EXPECT_NEAR(across(veils, {{0, -5, 0}, {0, 0, 1}}, 2.0).kept.x, std::exp(-2.0), 1e-6);
+  EXPECT_NEAR(across(veils, {{0, 3, 0}, {0, 0, 1}}, 2.0).kept.x, std::exp(-0.2), 1e-6);
+  EXPECT_NEAR(across(veils, {{0, 0, 0}, {0, 1, 0}}, 1.0).kept.x, std::exp(-std::atan(1.0)), 1e-6);
 }
 
 TEST(Veil, RainbowShowsAtItsAngleOnly) {
@@ -61,8 +72,8 @@ TEST(Veil, RainbowShowsAtItsAngleOnly) {
   bow.colors = {{0.0, {Rgb(1.0f, 0.0f, 0.0f), 0.0f, 0.0f}}};
   scene.atmosphere.rainbows = {bow};
   const Veils veils(scene);
-  EXPECT_EQ(veils.across(kForward, 100.0).kept.x, 1.0f);
-  const Veil veil = veils.across({{0, 0, 0}, Vec3(0, 1, 1).normalized()}, 100.0);
+  EXPECT_EQ(across(veils, kForward, 100.0).kept.x, 1.0f);
+  const Veil veil = across(veils, {{0, 0, 0}, Vec3(0, 1, 1).normalized()}, 100.0);
   EXPECT_NEAR(veil.kept.x, 0.0, 1e-6);
   EXPECT_NEAR(veil.added.x, 1.0, 1e-6);
 }
