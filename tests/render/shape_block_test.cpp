@@ -57,6 +57,44 @@ TEST(ShapeBlocks, HaveTheCrossingsOfSingleRays) {
   EXPECT_GT(met, 4000u);
 }
 
+TEST(ShapeBlocks, HaveTheNearestCrossingsOfSingleRays) {
+  const std::vector<NamedShape> shapes = shapes_of_all_kinds();
+  const std::vector<RayColumns> blocks = blocks_of_rays();
+  std::size_t met = 0;
+  for_each_target([&](const std::string& target) {
+    for (const NamedShape& named : shapes) {
+      SCOPED_TRACE(named.name + ", " + target);
+      for (const RayColumns& rays : blocks) {
+        Column<double> low;
+        Column<double> high;
+        for (std::size_t i = 0; i < kRaysAtOnce; ++i) {
+          low[i] = 0.05 * static_cast<double>(i % 40);
+          high[i] = low[i] + (i % 3 == 0 ? 1.0 : 50.0);
+        }
+        const DepthWindow window{low, high};
+        Slots& slots = Slots::of_thread();
+        named.shape->meet_block(rays, kSome, &window, slots);
+        NearestCrossings nearest;
+        find_nearest(slots, 0, kSome, window, nearest);
+        for (std::size_t i = 0; i < kRaysAtOnce; ++i) {
+          std::vector<Crossing> alone;
+          if ((kSome >> i & 1) != 0) named.shape->nearest(rays.ray(i), low[i], high[i], alone);
+          std::optional<double> depth;
+          for (const Crossing& crossing : alone) {
+            const bool counts = crossing.depth > low[i] && crossing.depth <= high[i];
+            if (counts && (!depth || crossing.depth < *depth)) depth = crossing.depth;
+          }
+          ASSERT_EQ((nearest.rays >> i & 1) != 0, depth.has_value());
+          if (!depth) continue;
+          EXPECT_EQ(nearest.depth[i], *depth);
+          ++met;
+        }
+      }
+    }
+  });
+  EXPECT_GT(met, 4000u);
+}
+
 TEST(ShapeBlocks, HoldThePointsThatTheyHoldAlone) {
   const std::vector<NamedShape> shapes = shapes_of_all_kinds();
   for_each_target([&](const std::string& target) {

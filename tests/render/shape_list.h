@@ -1,11 +1,18 @@
 #pragma once
 
 #include "render/math/transform.h"
+#include "render/shape/blob.h"
+#include "render/shape/lathe.h"
+#include "render/shape/ovus.h"
+#include "render/shape/poly.h"
 #include "render/shape/primitives.h"
+#include "render/shape/prism.h"
 #include "render/shape/quadric.h"
 #include "render/shape/slots.h"
+#include "render/shape/sor.h"
 #include "render/shape/superellipsoid.h"
 
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <string>
@@ -18,6 +25,61 @@ struct NamedShape {
   std::string name;
   ShapePtr shape;
 };
+
+inline ShapePtr make_poly_of(int order, const std::vector<std::pair<std::array<int, 3>, double>>& terms) {
+  PolyParameters poly;
+  poly.order = order;
+  poly.coefficients.assign(PolyParameters::coefficient_count(order), 0.0);
+  for (const auto& [powers, number] : terms) {
+    poly.coefficients[PolyParameters::place(order, powers[0], powers[1], powers[2])] = number;
+  }
+  return make_poly(poly);
+}
+
+/// Shapes about the origin that rays meet where polynomials are 0.
+inline std::vector<NamedShape> shapes_of_equations() {
+  using Spline = ProfileSpline;
+  using Kind = BlobParameters::Component::Kind;
+  const Transform turned = Transform::scaling(Vec3(1.2, 0.8, 1.0)).then(Transform::rotation(Vec3(50.0, 10.0, 30.0)));
+  const std::vector<Vec2> ring = {{-0.9, -0.8}, {0.8, -0.9}, {1.0, 0.7}, {-0.2, 0.3}, {-0.9, 0.9}, {-0.9, -0.8}};
+  std::vector<Vec2> around = ring;
+  around.push_back(ring[1]);
+  around.push_back(ring[2]);
+  const std::vector<Vec2> bowl = {{0.3, -1.0}, {0.9, -0.6}, {0.4, 0.1}, {0.8, 0.8}, {0.2, 1.1}, {0.1, 1.3}};
+  const std::vector<Vec2> bezier = {{0.2, -1.0}, {1.4, -0.5}, {0.1, 0.2}, {0.9, 0.9},
+                                    {0.9, 0.9},  {0.5, 1.0},  {0.3, 0.8}, {0.2, -1.0}};
+  BlobParameters few;
+  few.threshold = 0.4;
+  few.components = {{Kind::sphere, Vec3(0.3, 0.1, 0.0), Vec3(0.0), 1.1, 1.0, Transform(), 0},
+                    {Kind::cylinder, Vec3(-0.9, -0.2, 0.1), Vec3(0.8, 0.5, -0.3), 0.6, 0.9, turned, 0},
+                    {Kind::sphere, Vec3(-0.2, 0.4, 0.2), Vec3(0.0), 0.7, -0.6, Transform(), 0}};
+  BlobParameters many = few;
+  for (int i = 0; i < 40; ++i) {
+    const Vec3 at(std::sin(1.7 * i), std::sin(2.9 * i + 1.0), std::sin(0.7 * i + 2.0));
+    many.components.push_back({Kind::sphere, at, Vec3(0.0), 0.5, i % 5 == 0 ? -0.5 : 1.0, Transform(), 0});
+  }
+  return {
+      {"negative torus", make_torus(-0.8, 0.4)},
+      {"cubic", make_poly_of(3, {{{3, 0, 0}, 1.0}, {{0, 2, 0}, 1.0}, {{0, 0, 2}, 0.7}, {{1, 0, 0}, -0.6}})},
+      {"quartic", make_poly_of(4, {{{4, 0, 0}, 1.0}, {{0, 4, 0}, 1.0}, {{0, 0, 2}, 0.8}, {{0, 0, 0}, -0.6}})},
+      {"cubic as sextic", make_poly_of(6, {{{2, 1, 0}, 1.0}, {{0, 0, 2}, 1.0}, {{0, 0, 0}, -0.3}})},
+      {"of order 8", make_poly_of(8, {{{8, 0, 0}, 1.0}, {{0, 6, 0}, 1.0}, {{0, 0, 4}, 1.0}, {{0, 0, 0}, -0.7}})},
+      {"linear lathe", make_lathe({Spline::linear, bowl})},
+      {"quadratic lathe", make_lathe({Spline::quadratic, bowl})},
+      {"cubic lathe", make_lathe({Spline::cubic, bowl})->placed(turned)},
+      {"bezier lathe", make_lathe({Spline::bezier, bezier})},
+      {"sor", make_sor({bowl, false})},
+      {"open sor", make_sor({bowl, true})->placed(turned)},
+      {"linear prism", make_prism({Spline::linear, PrismParameters::Sweep::linear, -0.7, 0.8, ring, false})},
+      {"conic prism", make_prism({Spline::linear, PrismParameters::Sweep::conic, 0.1, 1.3, ring, false})},
+      {"cubic prism", make_prism({Spline::cubic, PrismParameters::Sweep::linear, -0.7, 0.8, around, true})},
+      {"bezier prism",
+       make_prism({Spline::bezier, PrismParameters::Sweep::linear, -0.7, 0.8, bezier, false})->placed(turned)},
+      {"blob", make_blob(few)},
+      {"blob of many", make_blob(many)->placed(turned)},
+      {"ovus", make_ovus(0.9, 0.6)},
+  };
+}
 
 /// Shapes about the origin whose formulas are over lanes, and some whose are not.
 inline std::vector<NamedShape> shapes_of_all_kinds() {
@@ -49,6 +111,7 @@ inline std::vector<NamedShape> shapes_of_all_kinds() {
       {"torus", make_torus(0.9, 0.3)},
       {"superellipsoid", make_superellipsoid(0.3, 0.7)},
   };
+  for (NamedShape& shape : shapes_of_equations()) shapes.push_back(std::move(shape));
   const std::size_t count = shapes.size();
   for (std::size_t i = 0; i < count; ++i) shapes.push_back({"inverse " + shapes[i].name, shapes[i].shape->inverted()});
   return shapes;
