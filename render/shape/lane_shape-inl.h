@@ -81,6 +81,22 @@ struct SlotSink {
   }
 };
 
+/// Takes the crossings of some rays of a block into lists.
+struct SlotListSink {
+  SlotLists& lists;
+  std::size_t at;  ///< where the rays stand in the block
+  std::uint64_t of_vector;
+
+  HWY_INLINE void operator()(std::size_t, const Lanes& depth, const LanesMask& met, std::uint32_t face) const {
+    double depths[Lanes::kCount];
+    depth.store(depths);
+    for (std::uint64_t left = bits(met) & of_vector; left != 0; left &= left - 1) {
+      const auto lane = static_cast<std::size_t>(__builtin_ctzll(left));
+      lists.add(at + lane, depths[lane], face, {});
+    }
+  }
+};
+
 /// Those of a single ray, for a list with add(depth, face).
 template <class List>
 struct ListSink {

@@ -1,14 +1,22 @@
 #include "render/shape/ovus.h"
 
-#include "render/math/polynomial.h"
 #include "render/shape/placed.h"
 #include "render/shape/sphere.h"
 #include "render/shape/tolerance.h"
+
+#undef HWY_TARGET_INCLUDE
+#define HWY_TARGET_INCLUDE "render/shape/ovus.cpp"
+#include <hwy/foreach_target.h>
+
+#include "render/shape/depth_roots-inl.h"
+#include "render/shape/through_sphere-inl.h"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 
+#ifndef FIRSTLIGHT_RENDER_SHAPE_OVUS
+#define FIRSTLIGHT_RENDER_SHAPE_OVUS
 namespace firstlight::render {
 namespace {
 
@@ -18,12 +26,12 @@ constexpr double kRootRoom = 1e-4;
 enum Face : std::uint32_t { kBottom, kTop, kSide };
 
 struct Ovus {
-  double bottom;          ///< radii
+  double bottom;  ///< radii
   double top;
-  double tube;            ///< of the torus that joins the balls
-  double ring;            ///< of its circle, on whose far side of the axis the surface lies
+  double tube;  ///< of the torus that joins the balls
+  double ring;  ///< of its circle, on whose far side of the axis the surface lies
   double ring_height;
-  double bottom_ends;     ///< the height where the lower ball ends
+  double bottom_ends;  ///< the height where the lower ball ends
   double top_begins;
 
   Ovus(double bottom_radius, double top_radius) : bottom(bottom_radius), top(top_radius) {
@@ -42,31 +50,11 @@ struct Ovus {
     }
   }
 
-  void meet(const Ray& given, Met& met) const {
-    const auto [length, ray] = UnitRay(given);
-    const auto add = [&met, l = length](double depth, Face face) {
-      if (depth > kEpsilon) met.add(depth / l, face);
-    };
-    const auto height = [&, &r = ray](double depth) { return r.origin.y + depth * r.direction.y; };
-    double enters;
-    double leaves;
-    if (meet_sphere(ray, Vec3(0.0), bottom * bottom, enters, leaves)) {
-      for (const double depth : {enters, leaves}) {
-        if (height(depth) < bottom_ends) add(depth, kBottom);
-      }
-    }
-    if (meet_sphere(ray, Vec3(0.0, bottom, 0.0), top * top, enters, leaves)) {
-      for (const double depth : {enters, leaves}) {
-        if (height(depth) > top_begins) add(depth, kTop);
-      }
-    }
-    meet_side(ray, add);
-  }
-  bool inside(const Vec3& p, bool inverted) const {
-    bool is_in = p.length2() < bottom * bottom || (p - Vec3(0.0, bottom, 0.0)).length2() < top * top;
-    if (p.y > bottom_ends && p.y < top_begins) is_in = is_in || from_ring_squared(p) < tube * tube;
-    return is_in != inverted;
-  }
+  void meet(const Ray& ray, Met& met) const;
+  bool inside(const Vec3& point, bool inverted) const;
+  void meet_block(const RaysAndPlace& asked, Slots& slots) const;
+  std::uint64_t inside_block(const Transform& transform, bool inverted, const Columns3<double>& points,
+                             std::uint64_t who) const;
   Vec3 normal(const Vec3& p, const Crossing& at) const {
     if (at.face == kBottom) return p;
     if (at.face == kTop) return p - Vec3(0.0, bottom, 0.0);
@@ -81,40 +69,134 @@ struct Ovus {
     return Box3(Vec3(-widest, -bottom, -widest), Vec3(widest, bottom + top, widest));
   }
   Box3 inside_bounds() const { return bounds(); }
-
- private:
-  double from_ring_squared(const Vec3& p) const {
-    const double across = std::sqrt(p.x * p.x + p.z * p.z) + ring;
-    const double up = p.y - ring_height;
-    return across * across + up * up;
-  }
-  /// The torus' inner sheet, between the balls.
-  template <class Add>
-  void meet_side(const Ray& ray, const Add& add) const {
-    const Vec3& d = ray.direction;
-    // Depths are counted from the point nearest to the ring's middle: there the coefficients keep their digits.
-    const Vec3 from_middle = ray.origin - Vec3(0.0, ring_height, 0.0);
-    const double skipped = -from_middle.dot(d);
-    const Vec3 p = from_middle + d * skipped;
-    const double reach = ring + tube;
-    const double half_squared = reach * reach - p.length2();
-    if (!(half_squared > 0.0)) return;
-    const double half = std::sqrt(half_squared);
-    const double ring2 = ring * ring;
-    const double k1 = p.length2() - ring2 - tube * tube;
-    const double k2 = p.dot(d);
-    const std::array<double, 5> quartic = {k1 * k1 + 4.0 * ring2 * (p.y * p.y - tube * tube),
-                                           4.0 * (k1 * k2 + 2.0 * ring2 * p.y * d.y),
-                                           2.0 * k1 + 4.0 * k2 * k2 + 4.0 * ring2 * d.y * d.y, 4.0 * k2, 1.0};
-    PolynomialRoots roots(quartic, -half, half);
-    for (double t; roots.next(t);) {
-      const double depth = t + skipped;
-      const Vec3 point = ray.at(depth);
-      if (!(point.y > bottom_ends && point.y < top_begins)) continue;
-      if (std::abs(from_ring_squared(point) - tube * tube) < kRootRoom) add(depth, kSide);
-    }
-  }
 };
+
+}  // namespace
+}  // namespace firstlight::render
+#endif
+
+HWY_BEFORE_NAMESPACE();
+namespace firstlight::render {
+namespace HWY_NAMESPACE {
+
+/// met(k, depth, mask, face) for the two balls, as render/shape/lane_shape-inl.h says.
+template <class L, class Sink>
+HWY_INLINE void meet_balls(const Ovus& ovus, const UnitRayOf<L>& unit, const Sink& met) {
+  const auto meet_ball = [&](std::size_t first, const Vec3& center, double radius, std::uint32_t face,
+                             const auto& is_seen) HWY_ATTR {
+    const ThroughSphere<L> through = through_sphere(unit.ray, center, radius * radius);
+    const auto add = [&](std::size_t k, const L& depth) HWY_ATTR {
+      const L height = unit.ray.origin.y + depth * unit.ray.direction.y;
+      met(k, depth / unit.length, through.met & is_seen(height) & (depth > kEpsilon), face);
+    };
+    add(first, through.enters);
+    add(first + 1, through.leaves);
+  };
+  meet_ball(0, Vec3(0.0), ovus.bottom, kBottom, [&](const L& height) HWY_ATTR { return height < ovus.bottom_ends; });
+  meet_ball(2, Vec3(0.0, ovus.bottom, 0.0), ovus.top, kTop,
+            [&](const L& height) HWY_ATTR { return height > ovus.top_begins; });
+}
+
+template <class L>
+HWY_INLINE L from_ring_squared(const Ovus& ovus, const Vec3Of<L>& p) {
+  const L across = sqrt(p.x * p.x + p.z * p.z) + ovus.ring;
+  const L up = p.y - ovus.ring_height;
+  return across * across + up * up;
+}
+
+/// The torus whose inner sheet lies between the balls. Depths are counted from the point nearest to the ring's middle:
+/// there the coefficients keep their digits.
+template <class L>
+HWY_INLINE DepthEquation<L, 4> equation_along(const Ovus& ovus, const UnitRayOf<L>& unit) {
+  const Vec3Of<L>& d = unit.ray.direction;
+  const Vec3Of<L> from_middle = unit.ray.origin - everywhere<L>(Vec3(0.0, ovus.ring_height, 0.0));
+  const L skipped = -dot(from_middle, d);
+  const Vec3Of<L> p = from_middle + d * skipped;
+  const double reach = ovus.ring + ovus.tube;
+  const L distance_squared = dot(p, p);
+  const L half = sqrt(reach * reach - distance_squared);  // no number where the ray passes outside
+  const double ring2 = ovus.ring * ovus.ring;
+  const double tube2 = ovus.tube * ovus.tube;
+  const L k1 = distance_squared - ring2 - tube2;
+  const L k2 = dot(p, d);
+  return {{k1 * k1 + 4.0 * ring2 * (p.y * p.y - tube2), 4.0 * (k1 * k2 + 2.0 * ring2 * p.y * d.y),
+           2.0 * k1 + 4.0 * k2 * k2 + 4.0 * ring2 * d.y * d.y, 4.0 * k2, L(1.0)},
+          -half,
+          half,
+          skipped,
+          unit.length};
+}
+
+/// Whether a root, at a depth along the unit ray, lies on the side.
+inline bool is_on_side(const Ovus& ovus, const Ray& ray, double depth) {
+  const Vec3 point = ray.at(depth);
+  if (!(depth > kEpsilon && point.y > ovus.bottom_ends && point.y < ovus.top_begins)) return false;
+  return std::abs(from_ring_squared(ovus, everywhere<One>(point)).v - ovus.tube * ovus.tube) < kRootRoom;
+}
+
+void meet_ovus(const Ovus& ovus, const RaysAndPlace& asked, Slots& slots) {
+  RayColumns rays;
+  Column<double> skipped;
+  Column<double> length;
+  SlotLists lists(asked.shape, slots, true);
+  RootJobs jobs([&](std::size_t i, std::uint32_t face, double t) {
+    const double depth = t + skipped[i];
+    if (is_on_side(ovus, rays.ray(i), depth)) lists.add(i, depth / length[i], face, {});
+  });
+  for_each_vector(asked, [&](const RayOf<Lanes>& given, std::size_t i, std::uint64_t of_vector) HWY_ATTR {
+    const UnitRayOf<Lanes> unit = unit_ray(given);
+    store3(unit.ray.origin, rays.origin, i);
+    store3(unit.ray.direction, rays.direction, i);
+    meet_balls(ovus, unit, SlotListSink{lists, i, of_vector});
+    const DepthEquation<Lanes, 4> equation = equation_along(ovus, unit);
+    store(equation.skipped, skipped, i);
+    store(equation.length, length, i);
+    add_jobs(jobs, i, of_vector, kSide, 4, equation.c, equation.low, equation.high);
+  });
+  jobs.finish();
+}
+
+inline void meet_ovus_once(const Ovus& ovus, const Ray& given, Met& met) {
+  const auto unit = unit_ray(RayOf<One>{everywhere<One>(given.origin), everywhere<One>(given.direction)});
+  meet_balls(ovus, unit, ListSink<Met>{met});
+  const DepthEquation<One, 4> equation = equation_along(ovus, unit);
+  const Ray ray{given.origin, Vec3(unit.ray.direction.x.v, unit.ray.direction.y.v, unit.ray.direction.z.v)};
+  double c[5];
+  for (std::size_t k = 0; k < 5; ++k) c[k] = equation.c[k].v;
+  PolynomialRoots roots(c, equation.low.v, equation.high.v);
+  for (double t; roots.next(t);) {
+    const double depth = t + equation.skipped.v;
+    if (is_on_side(ovus, ray, depth)) met.add(depth / unit.length.v, kSide);
+  }
+}
+
+template <class L>
+HWY_INLINE MaskOf<L> inside(const Ovus& ovus, const Vec3Of<L>& p, bool inverted) {
+  const Vec3Of<L> from_top = p - everywhere<L>(Vec3(0.0, ovus.bottom, 0.0));
+  const auto is_in =
+      (dot(p, p) < ovus.bottom * ovus.bottom) | (dot(from_top, from_top) < ovus.top * ovus.top) |
+      ((p.y > ovus.bottom_ends) & (p.y < ovus.top_begins) & (from_ring_squared(ovus, p) < ovus.tube * ovus.tube));
+  return inverted ? !is_in : is_in;
+}
+
+FIRSTLIGHT_INSIDE_KERNEL(Ovus)
+
+}  // namespace HWY_NAMESPACE
+}  // namespace firstlight::render
+HWY_AFTER_NAMESPACE();
+
+#if HWY_ONCE
+namespace firstlight::render {
+namespace {
+
+HWY_EXPORT(meet_ovus);
+FIRSTLIGHT_INSIDE_MEMBERS(Ovus)
+
+void Ovus::meet(const Ray& ray, Met& met) const { HWY_NAMESPACE::meet_ovus_once(*this, ray, met); }
+
+void Ovus::meet_block(const RaysAndPlace& asked, Slots& slots) const {
+  HWY_DYNAMIC_DISPATCH(meet_ovus)(*this, asked, slots);
+}
 
 }  // namespace
 
@@ -123,3 +205,4 @@ ShapePtr make_ovus(double bottom_radius, double top_radius) {
 }
 
 }  // namespace firstlight::render
+#endif

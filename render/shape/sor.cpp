@@ -226,14 +226,7 @@ void meet_sor(const Sor& sor, const RaysAndPlace& asked, Slots& slots) {
     store(ray.length, length, i);
     store(ray.from, from, i);
     store(ray.to, to, i);
-    meet_caps(sor, ray, [&](std::size_t, const Lanes& depth, const LanesMask& met, std::uint32_t face) HWY_ATTR {
-      double depths[Lanes::kCount];
-      depth.store(depths);
-      for (std::uint64_t left = bits(met) & of_vector; left != 0; left &= left - 1) {
-        const auto lane = static_cast<std::size_t>(__builtin_ctzll(left));
-        lists.add(i + lane, depths[lane], face, {});
-      }
-    });
+    meet_caps(sor, ray, SlotListSink{lists, i, of_vector});
   });
   RootJobs jobs([&](std::size_t i, std::uint32_t part, double t) {
     const double height = ps.of[1][i] + t * ds.of[1][i];
@@ -261,9 +254,7 @@ void meet_sor(const Sor& sor, const RaysAndPlace& asked, Slots& slots) {
 
 inline void meet_sor_once(const Sor& sor, const Ray& given, Met& met) {
   const auto ray = near_ray(sor, RayOf<One>{everywhere<One>(given.origin), everywhere<One>(given.direction)});
-  meet_caps(sor, ray, [&](std::size_t, One depth, OneMask counts, std::uint32_t face) {
-    if (counts.holds) met.add(depth.v, face);
-  });
+  meet_caps(sor, ray, ListSink<Met>{met});
   for (std::uint32_t part = 0; part < sor.segments.size(); ++part) {
     const Segment& segment = sor.segments[part];
     One equation[4];

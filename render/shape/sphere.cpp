@@ -9,7 +9,7 @@
 #define HWY_TARGET_INCLUDE "render/shape/sphere.cpp"
 #include <hwy/foreach_target.h>
 
-#include "render/shape/lane_shape-inl.h"
+#include "render/shape/through_sphere-inl.h"
 
 #include <algorithm>
 #include <cmath>
@@ -64,24 +64,6 @@ struct EllipsoidBase {
 HWY_BEFORE_NAMESPACE();
 namespace firstlight::render {
 namespace HWY_NAMESPACE {
-
-/// Where rays with directions of unit length pass through a sphere.
-template <class L>
-struct ThroughSphere {
-  MaskOf<L> met;
-  L enters, leaves;
-};
-
-template <class L>
-HWY_INLINE ThroughSphere<L> through_sphere(const RayOf<L>& ray, const Vec3& center, double radius_squared) {
-  const Vec3Of<L> to_center = everywhere<L>(center) - ray.origin;
-  const L distance_squared = dot(to_center, to_center);
-  const L closest_approach = dot(to_center, ray.direction);
-  const L half_chord_squared = radius_squared - distance_squared + closest_approach * closest_approach;
-  const auto behind = (distance_squared >= radius_squared) & (closest_approach < kEpsilon);
-  const L half_chord = sqrt(half_chord_squared);
-  return {without(half_chord_squared > kEpsilon, behind), closest_approach - half_chord, closest_approach + half_chord};
-}
 
 template <class L>
 HWY_INLINE MaskOf<L> depth_counts(const L& depth) {
