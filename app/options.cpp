@@ -25,32 +25,18 @@ bool is_plain_name(std::string_view text) {
 struct FileType {
   char letter;
   std::string_view extension;
-  std::string_view name;
-  int bits;                ///< per channel, where no number is asked for
-  bool has_words = false;  ///< 16 bits too
+  int bits;                  ///< per channel; 0: as many as are asked for
+  bool may_be_grey = false;  ///< with 16 bits
 };
 
 constexpr FileType kFileTypes[] = {
-    {'N', ".png", "PNG", 8, true}, {'T', ".tga", "TGA", 8},      {'C', ".tga", "TGA", 8},
-    {'P', ".ppm", "PPM", 8, true}, {'B', ".bmp", "BMP", 8},      {'J', ".jpg", "JPEG", 8},
-    {'E', ".exr", "OpenEXR", 32},  {'H', ".hdr", "Radiance", 8},
+    {'N', ".png", 0, true}, {'T', ".tga", 8}, {'C', ".tga", 8},  {'P', ".ppm", 0, true},
+    {'B', ".bmp", 8},       {'J', ".jpg", 8}, {'E', ".exr", 32}, {'H', ".hdr", 8},
 };
 
 const FileType* find_file_type(char letter) {
   const auto* const found = std::ranges::find(kFileTypes, letter, &FileType::letter);
   return found == std::end(kFileTypes) ? nullptr : found;
-}
-
-/// Empty, or why the type's files are not written as the option's number wants.
-std::string refusal_of_bits(const FileType& type, int bits) {
-  const std::string option = fmt::format("+F{}{}", type.letter, bits);
-  // Callers of POV-Ray mean the quality.
-  if (type.letter == 'J') return option + ": the quality of JPEG files cannot be chosen";
-  constexpr int kFewest = 5;  // as with POV-Ray, for files of 8
-  if (bits == type.bits || (type.bits == 8 && bits >= kFewest && bits <= 8) || (type.has_words && bits == 16))
-    return {};
-  return fmt::format("{}: {} files are written with {}{} bits per channel", option, type.name, type.bits,
-                     type.has_words ? " or 16" : "");
 }
 
 void check(CommandLine& line) {
@@ -66,8 +52,8 @@ void check(CommandLine& line) {
         fmt::format("+F{}: there is no such file type; known are N (PNG), T and C (TGA), P (PPM), B (BMP), J (JPEG), E "
                     "(OpenEXR), H (Radiance)",
                     options.file_type));
-  } else if (options.bits != 0) {
-    if (const std::string why = refusal_of_bits(*type, options.bits); !why.empty()) line.errors.push_back(why);
+  } else if (options.grey && !type->may_be_grey) {
+    line.errors.push_back(fmt::format("+F{}: only PNG and PPM files are written in shades of gray", type->letter));
   }
   if (options.output == "-") line.errors.emplace_back("+O-: the picture cannot be written to the standard output");
   if (options.threads > kMostThreads) line.errors.push_back(fmt::format("more than {} threads", kMostThreads));
@@ -109,6 +95,10 @@ std::string help_text() {
       "  +LDIR         a folder to search for included files; may be repeated\n"
       "  +WTn          threads, as --threads\n"
       "  +FN           file type: N PNG, T TGA, P PPM, B BMP, J JPEG, E OpenEXR, H Radiance; -F writes no picture\n"
+      "  +FN16 +FNg    16 bits per channel, shades of gray, for PNG and PPM; Compression=n is the quality of JPEG, 2 "
+      "to 100\n"
+      "  +UA           an alpha channel, in PNG, TGA, BMP and OpenEXR files\n"
+      "  +THFS         dithering, by B2 B3 B4 (Bayer), D1 D2 or FS (error diffusion); +TH means FS\n"
       "  +Kn           the scene's clock\n"
       "  +A0.3 +AM1    anti-aliasing: its threshold, and its method 1 or 2; -A switches it off. With it +R3 (depth),\n"
       "                +J0.5 or -J (jitter), +AG2.5 (gamma), +BS32 (block size); see docs/antialiasing.md\n"
@@ -127,6 +117,11 @@ std::string help_text() {
   text += fmt::format("\nBoosts:\n{}", boost_help());
   text += fmt::format("\nWhile it renders, on a terminal:\n{}", keys_help());
   return text;
+}
+
+int fixed_bits_of(char file_type) {
+  const FileType* const type = find_file_type(file_type);
+  return type == nullptr ? 0 : type->bits;
 }
 
 std::string_view extension_of(char file_type) {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "render/film/antialias_settings.h"
+#include "render/image/dither.h"
 #include "render/scene/bounding_rules.h"
 #include "render/scene/nearest.h"
 
@@ -22,8 +23,12 @@ struct Options {
   int height = 240;
   int threads = 0;  ///< 0: one for each processor
   bool write_picture = true;
-  char file_type = 'N';     ///< POV-Ray's letter, upper case
-  int bits = 0;             ///< per channel; 0: the usual number of the file type
+  char file_type = 'N';  ///< POV-Ray's letter, upper case
+  int bits = 8;          ///< per channel, where the file type lets one choose: 5 to 16
+  bool grey = false;     ///< shades of grey instead of colours
+  bool alpha = false;    ///< a channel for what does not show through
+  int compression = 0;   ///< of JPEG files, their quality: 2 to 100; else the usual one
+  render::Dithering dithering = render::Dithering::none;
   double file_gamma = 0.0;  ///< numbers in the file are light ^ (1 / file_gamma); 0: on the sRGB curve
   std::vector<std::string> library_paths;
   std::vector<std::pair<std::string, std::string>> declares;  ///< name, number
@@ -64,6 +69,9 @@ CommandLine parse_command_line(std::span<const std::string> arguments);
 std::string help_text();
 
 using render::nearest;
+
+/// How many bits per channel files of a type have; 0 where one may choose from 5 to 16.
+int fixed_bits_of(char file_type);
 
 /// Extension, with its dot, of the files of a type given by POV-Ray's letter; empty when there is no such type.
 std::string_view extension_of(char file_type);

@@ -11,37 +11,83 @@
 
 #include <filesystem>
 #include <span>
+#include <type_traits>
 #include <vector>
 
 namespace firstlight::app {
 
-std::string write_film(const std::string& path, const render::Film& film, const render::Settings& settings,
-                       const FileNumbers& numbers) {
-  render::Encoding encoding = render::file_encoding(settings);
-  // Nothing is known of the numbers of a scene whose gamma is not managed, neither before nor after.
-  const double gamma = settings.gamma == render::WorkingGamma::unmanaged ? 0.0 : numbers.gamma;
-  if (gamma != 0.0) encoding = encoding.with_file_gamma(gamma);
+namespace {
+
+/// What the file's format cannot have is left out; in shades of grey it has all the bits that heights need.
+void keep_to_abilities(const render::FormatAbilities& can, FileForm& form) {
+  render::FileNumbers& numbers = form.numbers;
+  numbers.alpha &= can.alpha;
+  numbers.grey &= can.grey;
+  if (!can.depths) numbers.bits = 8;
+  if (numbers.grey) numbers.bits = 16;
+  if (!can.dithers) numbers.dithering = render::Dithering::none;
+}
+
+template <class Color>
+std::vector<Color> preview_of(const render::Film& film) {
+  if constexpr (std::is_same_v<Color, render::Rgb>) {
+    return render::preview(film);
+  } else {
+    return render::preview_with_alpha(film);
+  }
+}
+
+template <class Color>
+std::string write_film_as(const std::string& path, const render::Film& film, const render::Encoding& encoding,
+                          const FileForm& form) {
+  const render::FileNumbers& numbers = form.numbers;
   const auto width = static_cast<std::size_t>(film.width());
   // A complete picture has no holes to be filled, and goes to the file row by row: a large one is little more in memory
   // than its film.
   const bool is_complete = film.is_complete();
-  std::vector<render::Rgb> filled;
-  if (!is_complete) filled = render::preview(film);
-  if (render::holds_light(path)) {
-    if (is_complete) filled = film.snapshot();
-    return render::write_light(path, film.width(), film.height(), render::to_light(filled, encoding));
-  }
-  render::ByteTable table(encoding);
-  std::vector<render::Rgb> row(width);
-  const auto make_row = [&](int y, std::span<std::uint8_t> rgb) {
-    if (is_complete) film.row(y, row);
-    const std::span<const render::Rgb> colors =
-        is_complete ? std::span<const render::Rgb>(row)
-                    : std::span<const render::Rgb>(filled).subspan(static_cast<std::size_t>(y) * width, width);
-    numbers.bits == 8 ? table.encode(colors, rgb) : render::encode_words(colors, encoding, rgb);
+  std::vector<Color> filled;
+  if (!is_complete) filled = preview_of<Color>(film);
+  std::vector<Color> room(width);
+  const auto row_at = [&](int y) -> std::span<const Color> {
+    if (!is_complete) return std::span(filled).subspan(static_cast<std::size_t>(y) * width, width);
+    film.row(y, room);
+    return room;
   };
-  return render::write_picture(
-      path, render::PictureRows{film.width(), film.height(), make_row, numbers.bits / 8, gamma});
+  if (render::holds_light(path)) {
+    std::vector<float> light;
+    light.reserve(film.pixels() * static_cast<std::size_t>(numbers.channels()));
+    for (int y = 0; y < film.height(); ++y) render::append_light(row_at(y), encoding, numbers, light);
+    return render::write_light(path, film.width(), film.height(), light, {}, numbers.channels());
+  }
+  // Files in shades of grey without more bits are read as they are. [POV-Ray 3.7]
+  const bool is_pnm = !render::abilities_of(path).alpha;
+  render::RowEncoder encoder(numbers.grey && is_pnm ? render::Encoding::as_is() : encoding, numbers, film.width(),
+                             /*fills=*/!is_pnm);
+  const auto make_row = [&](int y, std::span<std::uint8_t> bytes) { encoder.encode(y, row_at(y), bytes); };
+  return render::write_picture(path, render::PictureRows{.width = film.width(),
+                                                         .height = film.height(),
+                                                         .make = make_row,
+                                                         .channels = numbers.channels(),
+                                                         .channel_bytes = numbers.channel_bytes(),
+                                                         .bits = numbers.bits,
+                                                         .gamma = numbers.gamma,
+                                                         .quality = form.quality,
+                                                         .runs = form.runs});
+}
+
+}  // namespace
+
+std::string write_film(const std::string& path, const render::Film& film, const render::Settings& settings,
+                       FileForm form) {
+  render::Encoding encoding = render::file_encoding(settings);
+  // Nothing is known of the numbers of a scene whose gamma is not managed, neither before nor after.
+  render::FileNumbers& numbers = form.numbers;
+  if (settings.gamma == render::WorkingGamma::unmanaged) numbers.gamma = 0.0;
+  if (numbers.gamma != 0.0) encoding = encoding.with_file_gamma(numbers.gamma);
+  numbers.alpha &= film.has_alpha();
+  keep_to_abilities(render::abilities_of(path), form);
+  return numbers.alpha ? write_film_as<render::PixelColor>(path, film, encoding, form)
+                       : write_film_as<render::Rgb>(path, film, encoding, form);
 }
 
 std::string check_writable(const std::string& name) {

@@ -69,6 +69,7 @@ void PovOptions::read_setting(const std::string& word) {
   if (name == "declare") return read_declare(value);
   if (name == "file_gamma") return read_file_gamma(word, value);
   if (name == "display_gamma") return;  // of a window
+  if (read_file_setting(name, word, value)) return;
   const Setting* const setting = find_setting(name);
   if (setting == nullptr) {
     const std::string near = nearest(name, known_settings());
@@ -109,6 +110,66 @@ void PovOptions::read_file_gamma(const std::string& word, std::string_view value
     out_.options.file_gamma = *gamma;
   } else {
     out_.errors.push_back(fmt::format("setting '{}': expected sRGB or a number above 0, found '{}'", word, value));
+  }
+}
+
+bool PovOptions::read_file_setting(const std::string& name, const std::string& word, const std::string& value) {
+  const auto refuse = [&](std::string_view expected) {
+    out_.errors.push_back(fmt::format("setting '{}': expected {}, found '{}'", word, expected, value));
+  };
+  if (name == "bits_per_color" || name == "bits_per_colour") {
+    const auto bits = parse<int>(value);
+    bits ? set_bits(word, *bits) : refuse("a whole number");
+  } else if (name == "compression") {
+    const auto compression = parse<int>(value);
+    compression ? void(out_.options.compression = std::clamp(*compression, 0, 100)) : refuse("a whole number");
+  } else if (name == "grayscale_output") {
+    const auto flag = parse_flag(value);
+    flag ? void(out_.options.grey = *flag) : refuse("on or off");
+  } else if (name == "dither_method") {
+    read_dither_method(word, value);
+  } else {
+    return false;
+  }
+  return true;
+}
+
+void PovOptions::set_bits(std::string_view word, int bits) {
+  constexpr int kFewest = 5;
+  constexpr int kMost = 16;
+  out_.options.bits = std::clamp(bits, kFewest, kMost);
+  if (out_.options.bits == bits) return;
+  out_.warnings.push_back(
+      fmt::format("{}: {} to {} bits per channel are possible, {} are used", word, kFewest, kMost, out_.options.bits));
+}
+
+void PovOptions::read_file_kind(std::string_view word, std::string_view kind) {
+  const char type = out_.options.file_type;
+  if (lower(kind) == "g") {
+    out_.options.grey = true;
+    return;
+  }
+  const auto bits = parse<int>(kind);
+  if (!bits || *bits < 0) {
+    out_.errors.push_back(fmt::format("option '{}': expected bits per channel, or g for gray, after '{}', found '{}'",
+                                      word, word.substr(0, word.size() - kind.size()), kind));
+    return;
+  }
+  if (const int fixed = fixed_bits_of(type); fixed == 0) {
+    set_bits(word, *bits);
+  } else if (type == 'J') {
+    out_.warnings.push_back(fmt::format("{}: it is Compression={} that sets the quality of JPEG files", word, *bits));
+  } else if (fixed != *bits && (fixed != 8 || *bits > 8)) {
+    out_.warnings.push_back(fmt::format("{}: files of this type have {} bits per channel", word, fixed));
+  }
+}
+
+void PovOptions::read_dither_method(std::string_view word, std::string_view name) {
+  if (const auto method = render::find_dithering(name)) {
+    dither_method_ = *method;
+  } else {
+    out_.errors.push_back(
+        fmt::format("{}: there is no method '{}' of dithering; known are B2, B3, B4, D1, D2 and FS", word, name));
   }
 }
 
@@ -164,20 +225,18 @@ bool PovOptions::apply(std::string_view word) {
     case Use::file_type: {
       options.write_picture = on;
       options.file_type = static_cast<char>(std::toupper(static_cast<unsigned char>(parameter[0])));
-      options.bits = 0;
-      if (parameter.size() == 1) break;
-      const std::string_view kind = parameter.substr(1);
-      if (const auto bits = parse<int>(kind); bits && *bits > 0) {
-        options.bits = *bits;
-      } else if (lower(kind) == "g") {
-        out_.errors.push_back(fmt::format("option '{}': a picture in shades of gray is not available", word));
-      } else {
-        out_.errors.push_back(
-            fmt::format("option '{}': expected bits per channel, or g for gray, after '{}', found '{}'", word,
-                        word.substr(0, word.size() - kind.size()), kind));
-      }
+      if (parameter.size() > 1) read_file_kind(word, parameter.substr(1));
       break;
     }
+    case Use::alpha:
+      options.alpha = on;
+      break;
+    case Use::dither_method:
+      read_dither_method(word, parameter);
+      [[fallthrough]];
+    case Use::dither:
+      dithers_ = on;
+      break;
     case Use::antialias:
     case Use::antialias_method:
     case Use::antialias_depth:
@@ -289,6 +348,9 @@ void PovOptions::check_samples() {
                   settings.threshold, settings.depth, samples, kMostSamples));
 }
 
-void PovOptions::finish() { finish_antialias(); }
+void PovOptions::finish() {
+  if (dithers_) out_.options.dithering = dither_method_;
+  finish_antialias();
+}
 
 }  // namespace firstlight::app

@@ -24,6 +24,12 @@ class PovOptions {
   void read_setting(const std::string& word);
   void read_file_gamma(const std::string& word, std::string_view value);
   void read_declare(std::string_view assignment);
+  /// One of the settings of the file's numbers that no switch has; false when `name` is none.
+  bool read_file_setting(const std::string& name, const std::string& word, const std::string& value);
+  /// The option's bits per channel, or "g", after the letter of a file type.
+  void read_file_kind(std::string_view word, std::string_view kind);
+  void read_dither_method(std::string_view word, std::string_view name);
+  void set_bits(std::string_view word, int bits);
   bool apply(std::string_view word);
   /// The number that a setting changes which, unlike the switch of the same meaning, does not also turn something on;
   /// else null.
@@ -34,6 +40,8 @@ class PovOptions {
 
   CommandLine& out_;
   bool antialias_ = false;
+  bool dithers_ = false;
+  render::Dithering dither_method_ = render::Dithering::floyd_steinberg;
   render::AntialiasSettings antialias_settings_;
 };
 

@@ -75,9 +75,9 @@ constexpr SwitchRow kRows[] = {
     {"SR", Form::number, Use::refused, kPart},
     {"STP", Form::integer, Use::refused, kAnimation},
     {"SU", Form::nothing, Use::split_unions},
-    {"TH", Form::text, Use::refused_if_on, "dithering"},
-    {"TH", Form::nothing, Use::refused_if_on, "dithering"},
-    {"UA", Form::nothing, Use::refused_if_on, "a transparent background"},
+    {"TH", Form::text, Use::dither_method},
+    {"TH", Form::nothing, Use::dither},
+    {"UA", Form::nothing, Use::alpha},
     {"UD", Form::nothing, Use::ignored},
     {"UF", Form::nothing, Use::refused_if_on, "rendering in fields"},
     {"UL", Form::nothing, Use::ignored},
@@ -93,7 +93,8 @@ constexpr SwitchRow kRows[] = {
 };
 
 // No switch has their meaning.
-constexpr std::string_view kSettingsAlone[] = {"declare", "display_gamma", "file_gamma"};
+constexpr std::string_view kSettingsAlone[] = {"bits_per_color", "bits_per_colour", "compression", "declare",
+                                               "display_gamma",  "dither_method",   "file_gamma",  "grayscale_output"};
 
 constexpr Setting kSettings[] = {
     {"antialias", "A", true},

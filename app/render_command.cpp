@@ -122,7 +122,7 @@ int render_command(const Options& options, Clock::time_point start, const std::a
   if (!problem.empty()) return fail(problem);
 
   if (!session.load()) return session.exit_code();
-  render::Film film(options.width, options.height);
+  render::Film film(options.width, options.height, options.alpha);
   std::optional<priority::Order> order = read_order(options, session.scheme_input(&film), problem);
   if (!order) {
     say_error_in_lines(problem);

@@ -65,7 +65,14 @@ priority::TraceResult Session::trace(render::Film& film, const priority::TraceOp
 }
 
 std::string Session::write(const std::string& path, const render::Film& film) const {
-  return write_film(path, film, scene().settings, {.bits = options_.bits > 8 ? 16 : 8, .gamma = options_.file_gamma});
+  return write_film(path, film, scene().settings,
+                    {.numbers = {.bits = options_.bits,
+                                 .gamma = options_.file_gamma,
+                                 .grey = options_.grey,
+                                 .alpha = options_.alpha,
+                                 .dithering = options_.dithering},
+                     .quality = options_.compression,
+                     .runs = options_.file_type == 'C'});
 }
 
 }  // namespace firstlight::app

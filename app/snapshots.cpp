@@ -34,7 +34,8 @@ void Snapshots::finished(const priority::TraceStatistics& statistics) {
 void Snapshots::take(const std::string& occasion, const priority::Progress& progress) {
   if (!error_.empty()) return;
   Entry entry{fmt::format("snapshot-{:04}-{}.png", entries_.size() + 1, occasion), occasion, progress};
-  error_ = write_film((std::filesystem::path(folder_) / entry.file).string(), film_, settings_);
+  error_ = write_film((std::filesystem::path(folder_) / entry.file).string(), film_, settings_,
+                      {.numbers = {.alpha = film_.has_alpha()}});
   if (!error_.empty()) return;
   entries_.push_back(std::move(entry));
   write_index();

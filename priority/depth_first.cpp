@@ -22,7 +22,7 @@ void DepthFirst::run(std::span<const render::RayTask> roots) {
     const std::size_t count = size_of_top(stack_);
     tracer_.step(std::span(stack_).last(count));
     if (render::Interrupt::seen()) return;  // half a step is no part of the sum
-    frame_.add(tracer_.light(), tracer_.counts(), tally_);
+    frame_.add(tracer_, tally_);
     stack_.resize(stack_.size() - count);
     stack_.insert(stack_.end(), tracer_.spawned().begin(), tracer_.spawned().end());
   }
@@ -53,7 +53,7 @@ void trace_recursively(Frame& frame, render::Tracer& tracer, RayQueue& queue, st
         frame.report(tracer.counts(), tally);
         return frame.leave_unfinished();
       }
-      frame.add(tracer.light(), tracer.counts(), tally);
+      frame.add(tracer, tally);
       depth_first.run(tracer.spawned());
     }
     frame.add_rest(batch, tally);

@@ -117,11 +117,13 @@ TraceResult trace(const render::TraceContext& context, render::Film& film, const
   try {
     const bool has_queue = (options.steering != nullptr ? options.steering->scheme().get() : options.scheme) != nullptr;
     film.deal_out(options.threads);
+    render::TraceContext asking = context;
+    asking.with_alpha = film.has_alpha();
     const Picture picture(
-        context, film,
+        asking, film,
         has_queue ? render::PrimaryTiles::Order::coarse_to_fine : render::PrimaryTiles::Order::square_by_square,
         options.antialias);
-    return trace(context, picture.passes(), options);
+    return trace(asking, picture.passes(), options);
   } catch (const std::exception& exception) {
     result.error = reason_of(exception);
   }

@@ -14,6 +14,7 @@ class FilmSink final : public Sink {
   std::uint64_t samples() const override { return film_.pixels(); }
   void expect(std::int64_t most) override { film_.expect(most); }
   void add(std::span<const render::Contribution> light) override { film_.add(light); }
+  void add_clearness(std::span<const render::Clearness> clearness) override { film_.add(clearness); }
   void fetch(std::span<const render::RayTask> tasks) const override {
     for (const render::RayTask& task : tasks) film_.fetch(task.sample);
   }

@@ -36,7 +36,7 @@ Frame::Frame(const render::TraceContext& context, std::span<const Pass> passes, 
     : context_(context),
       surfaces_(render::make_surfaces(context.scene)),
       options_(options),
-      bound_(context.scene, context.camera(), *surfaces_),
+      bound_(context.scene, context.camera(), *surfaces_, context.with_alpha),
       most_of_root_(bound_.at_stake(primary_task())),
       next_checkpoint_(options.checkpoint_rays),
       workers_(options.threads) {
@@ -94,18 +94,21 @@ void Frame::lit(const Roots& roots) {
   event_.notify_all();
 }
 
-void Frame::add(std::span<const render::Contribution> light, const render::RayCounts& counts, Tally& tally) {
+void Frame::add(const render::Tracer& tracer, Tally& tally) {
   constexpr int kBatchesOfReport = 8;
   const Stage& now = stage();
-  now.sink->add(light);
+  if (!tracer.clearness().empty()) now.sink->add_clearness(tracer.clearness());
+  now.sink->add(tracer.light());
   if (now.is_counted) {
-    for (const render::Contribution& contribution : light) tally.change += contribution.outstanding;
+    for (const render::Contribution& contribution : tracer.light()) tally.change += contribution.outstanding;
   }
-  if (++tally.batches == kBatchesOfReport) report(counts, tally);
+  if (++tally.batches == kBatchesOfReport) report(tracer.counts(), tally);
 }
 
 void Frame::add_rest(const render::PrimaryBatch& rays, Tally& tally) {
   if (rays.dark.empty() && rays.shared.empty()) return;
+  std::vector<render::Clearness> dark;
+  for (const std::uint32_t sample : rays.dark) dark.push_back({sample, render::FixedRgb::to_fixed(1.0f)});
   std::vector<render::Contribution> nothing;
   nothing.reserve(rays.dark.size() + rays.shared.size());
   for (const std::uint32_t sample : rays.dark) nothing.push_back({sample, {}, -most_of_root_});
@@ -113,6 +116,7 @@ void Frame::add_rest(const render::PrimaryBatch& rays, Tally& tally) {
     nothing.push_back({ray.sample, {}, bound_.at_stake(ray) * count - most_of_root_});
   }
   const Stage& now = stage();
+  now.sink->add_clearness(dark);
   now.sink->add(nothing);
   if (!now.is_counted) return;
   for (const render::Contribution& contribution : nothing) tally.change += contribution.outstanding;

@@ -42,15 +42,16 @@ class Frame {
   const std::shared_ptr<const render::SurfaceTable>& surfaces() const { return surfaces_; }
   /// The roots of the pass at hand.
   RootSource& roots() const { return *stage().source; }
-  /// To be called when no ray waits and none is being traced. Whether there are roots again, of this pass or of the next.
+  /// To be called when no ray waits and none is being traced. Whether there are roots again, of this pass or of the
+  /// next.
   bool refill();
   /// The samples of all passes.
   std::uint64_t samples() const { return samples_; }
 
   /// To be called when the light of roots is in the sink.
   void lit(const Roots& roots);
-  /// Adds to the sink what a worker has traced; `counts` are all the rays it has traced so far.
-  void add(std::span<const render::Contribution> light, const render::RayCounts& counts, Tally& tally);
+  /// Adds to the sink what a worker's tracer has found in its last step.
+  void add(const render::Tracer& tracer, Tally& tally);
   /// The same for samples that no root lights, or several.
   void add_rest(const render::PrimaryBatch& rays, Tally& tally);
   /// Light will be added to the tasks' samples soon.

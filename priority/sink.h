@@ -21,9 +21,12 @@ class Sink {
   /// Each sample's root can bring `most` at most, in steps of FixedRgb.
   virtual void expect(std::int64_t most) = 0;
   virtual void add(std::span<const render::Contribution> light) = 0;
+  /// The same of what shows through, for sinks that ask; before the light of the same rays.
+  virtual void add_clearness(std::span<const render::Clearness> /*clearness*/) {}
   /// Light will be added to the tasks' samples soon.
   virtual void fetch(std::span<const render::RayTask> /*tasks*/) const {}
-  /// The sum over its samples of the most that each may still change, where that is not what the waiting rays may bring;
+  /// The sum over its samples of the most that each may still change, where that is not what the waiting rays may
+  /// bring;
   /// the sink of some samples that has told it once tells it always. Cost: a look at each sample.
   virtual std::optional<double> outstanding() const { return std::nullopt; }
 };

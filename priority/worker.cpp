@@ -86,7 +86,7 @@ void Worker::trace_roots() {
   frame_.expect_light(roots_.rays.tasks);
   tracer_.step_primary(roots_.rays.tasks, roots_.rays.rays);
   if (render::Interrupt::seen()) return;  // half a step is no part of the sum
-  frame_.add(tracer_.light(), tracer_.counts(), tally_);
+  frame_.add(tracer_, tally_);
   frame_.add_rest(roots_.rays, tally_);
   scheme_->learn(roots_.rays.tasks, tracer_.light(), tracer_.spawned());
   frame_.lit(roots_);
@@ -117,7 +117,7 @@ std::uint64_t Worker::trace_block(Block* block) {
   frame_.expect_light(block->span());
   tracer_.step(block->span());
   if (render::Interrupt::seen()) return 0;
-  frame_.add(tracer_.light(), tracer_.counts(), tally_);
+  frame_.add(tracer_, tally_);
   scheme_->learn(block->span(), tracer_.light(), tracer_.spawned());
   open_.release(block);
   keep_spawned(taken);

@@ -16,10 +16,12 @@
 namespace firstlight::app::compare {
 namespace {
 
-std::array<int, 3> color_at(const render::Picture& picture, int x, int y) {
+std::vector<int> color_at(const render::Picture& picture, int x, int y, bool with_alpha) {
   const auto pixel =
       static_cast<std::size_t>(y) * static_cast<std::size_t>(picture.width) + static_cast<std::size_t>(x);
-  return {picture.rgb[3 * pixel], picture.rgb[3 * pixel + 1], picture.rgb[3 * pixel + 2]};
+  std::vector<int> color{picture.rgb[3 * pixel], picture.rgb[3 * pixel + 1], picture.rgb[3 * pixel + 2]};
+  if (with_alpha) color.push_back(picture.alpha.empty() ? 255 : picture.alpha[pixel]);
+  return color;
 }
 
 /// 10 log10(255^2 / mean square)
@@ -91,8 +93,9 @@ PictureDifference difference(const render::Picture& first, const render::Picture
   result.mean = mean_of_differences(first, second);
   result.psnr_8x8 = psnr_of(mean_square_of_blocks(first, second));
   result.flip = render::Flip(light_of(first), first.width, first.height).mean(light_of(second));
-  result.first = color_at(first, result.x, result.y);
-  result.second = color_at(second, result.x, result.y);
+  const bool with_alpha = !first.alpha.empty() || !second.alpha.empty();
+  result.first = color_at(first, result.x, result.y, with_alpha);
+  result.second = color_at(second, result.x, result.y, with_alpha);
   return result;
 }
 

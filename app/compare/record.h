@@ -20,7 +20,7 @@ struct PictureDifference {
   double flip = 0.0;      ///< mean FLIP error, 0 to 1 (render/image/flip.h)
   int worst = 0;          ///< the largest difference of a channel, of 255
   int x = 0, y = 0;       ///< where that is
-  std::array<int, 3> first{}, second{};  ///< both colours there
+  std::vector<int> first, second;  ///< both colours there, with alpha if one of the pictures has it
 };
 
 /// One run of a program to its end. Times in seconds.

@@ -18,10 +18,6 @@ std::vector<double> grid_offsets(int depth) {
   return offsets;
 }
 
-Rgb mean_of(const Rgb& sum, double count) {
-  return {static_cast<float>(sum.x / count), static_cast<float>(sum.y / count), static_cast<float>(sum.z / count)};
-}
-
 }  // namespace
 
 GridSampling::GridSampling(const AntialiasSettings& settings, Film& film, PlaceSampler& sampler)
@@ -105,7 +101,7 @@ void GridSampling::collect() {
   std::uint32_t sample = 0;
   for (std::size_t i = wanted_begin_; i < wanted_end_; ++i) {
     const auto [pixel, sure] = wanted_[i];
-    Rgb sum = sampler_.pixel_color(pixel);
+    PixelColor sum = sampler_.pixel_color(pixel);
     for (std::size_t k = 0; k < count; ++k) sum += sampler_.color(sample++);
     supersampled_[pixel] = mean_of(sum, static_cast<double>(count + 1));
     has_grid_[pixel] = true;
@@ -128,7 +124,7 @@ void GridSampling::look_at(const Block& block) {
   for (int y = block.top - 1; y < block.bottom; ++y) {
     for (int x = block.left - 1; x < block.right; ++x) {
       if (x < 0 && y < 0) {
-        encoded_.emplace_back(0.0f);  // nothing is compared with the corner
+        encoded_.emplace_back();  // nothing is compared with the corner
       } else if (y < 0) {
         encoded_.push_back(contrast_.encode(edge_[static_cast<std::size_t>(x)]));
       } else if (x < 0) {
@@ -145,7 +141,7 @@ void GridSampling::look_at(const Block& block) {
 // it may have a grid.
 GridSampling::Answer GridSampling::differs(std::size_t cell, std::optional<std::uint32_t> pixel,
                                            std::size_t from) const {
-  const auto compare = [&](const Rgb& encoded) {
+  const auto compare = [&](const PixelColor& encoded) {
     return contrast_.between(encoded, encoded_[from]) ? Answer::yes : Answer::no;
   };
   const Answer without_grid = compare(encoded_[cell]);

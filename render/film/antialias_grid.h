@@ -58,20 +58,20 @@ class GridSampling final : public SampleRounds {
   Film& film_;
   Contrast contrast_;
   Jitter jitter_;
-  PlaceSampler& sampler_;  ///< of the round
-  std::vector<double> offsets_;    ///< of the grid's columns, and of its rows, from the middle of the pixel
-  std::vector<Rgb> edge_;          ///< just outside: the row above the picture, then the column on its left
-  std::size_t edge_asked_ = 0;     ///< how many of them are traced or asked for
-  std::vector<Rgb> supersampled_;  ///< by pixel
-  std::vector<bool> has_grid_;     ///< by pixel: the above is there
-  std::vector<Block> blocks_;      ///< still undecided
-  std::vector<Wanted> wanted_;     ///< whose grids are to be traced
-  std::size_t wanted_begin_ = 0;   ///< of the round at hand
+  PlaceSampler& sampler_;                 ///< of the round
+  std::vector<double> offsets_;           ///< of the grid's columns, and of its rows, from the middle of the pixel
+  std::vector<PixelColor> edge_;          ///< just outside: the row above the picture, then the column on its left
+  std::size_t edge_asked_ = 0;            ///< how many of them are traced or asked for
+  std::vector<PixelColor> supersampled_;  ///< by pixel
+  std::vector<bool> has_grid_;            ///< by pixel: the above is there
+  std::vector<Block> blocks_;             ///< still undecided
+  std::vector<Wanted> wanted_;            ///< whose grids are to be traced
+  std::size_t wanted_begin_ = 0;          ///< of the round at hand
   std::size_t wanted_end_ = 0;
   int decisions_ = 0;
   Asked asked_ = Asked::nothing;
   // Both are of the block at hand, with a row above and a column on the left of it.
-  std::vector<Rgb> encoded_;
+  std::vector<PixelColor> encoded_;
   std::vector<Answer> answers_;
 };
 

@@ -11,7 +11,7 @@ namespace {
 constexpr std::size_t kMostCells = std::size_t{1} << 22;
 
 template <class Corners>
-Rgb mean_of(const Corners& corners) {
+PixelColor mean_of(const Corners& corners) {
   return (corners[0] + corners[1] + corners[2] + corners[3]) / 4.0f;
 }
 
@@ -78,8 +78,8 @@ void Halving::look_at_pixels() {
   const auto height = static_cast<std::uint32_t>(film_.height());
   // Corners along the upper and the lower side of a row of pixels, as they are and as they are compared.
   struct Row {
-    std::vector<Rgb> colors;
-    std::vector<Rgb> encoded;
+    std::vector<PixelColor> colors;
+    std::vector<PixelColor> encoded;
   };
   const auto row_at = [&](std::uint32_t y) {
     Row row;
@@ -157,15 +157,15 @@ void Halving::collect_middles() {
   for (const Middles& middles : middles_) {
     const Cell& cell = level.cells[level.begin++];
     const auto& [upper_left, upper_right, lower_left, lower_right] = cell.corners;
-    const Rgb top = sampler_.color(middles.top);
-    const Rgb left = sampler_.color(middles.left);
-    const Rgb middle = sampler_.color(middles.middle);
-    const Rgb right = sampler_.color(middles.right);
-    const Rgb bottom = sampler_.color(middles.bottom);
+    const PixelColor top = sampler_.color(middles.top);
+    const PixelColor left = sampler_.color(middles.left);
+    const PixelColor middle = sampler_.color(middles.middle);
+    const PixelColor right = sampler_.color(middles.right);
+    const PixelColor bottom = sampler_.color(middles.bottom);
     const std::array<Corners, 4> quarters{
         Corners{upper_left, top, left, middle}, Corners{top, upper_right, middle, right},
         Corners{left, middle, lower_left, bottom}, Corners{middle, right, bottom, lower_right}};
-    Rgb color = film_.refined_color(cell.pixel) - mean_of(cell.corners) * weight;
+    PixelColor color = film_.refined_color(cell.pixel) - mean_of(cell.corners) * weight;
     float open = film_.open_share(cell.pixel) - weight;
     for (std::size_t i = 0; i < quarters.size(); ++i) {
       const Corners& corners = quarters[i];

@@ -25,7 +25,7 @@ class Halving final : public SampleRounds {
   std::span<const SamplePoint> next() override;
 
  private:
-  using Corners = std::array<Rgb, 4>;  ///< upper left, upper right, lower left, lower right
+  using Corners = std::array<PixelColor, 4>;  ///< upper left, upper right, lower left, lower right
   /// A square in a pixel, whose corners differ.
   struct Cell {
     std::uint32_t pixel = 0;
@@ -61,10 +61,10 @@ class Halving final : public SampleRounds {
   Film& film_;
   Contrast contrast_;
   Jitter jitter_;
-  PlaceSampler& sampler_;  ///< of the round
-  PlaceTable places_;      ///< of the samples of the round
-  std::uint32_t side_;     ///< of a pixel, in finest steps
-  std::vector<Rgb> edge_;  ///< corners on the right edge of the picture from the top, then on the lower one
+  PlaceSampler& sampler_;         ///< of the round
+  PlaceTable places_;             ///< of the samples of the round
+  std::uint32_t side_;            ///< of a pixel, in finest steps
+  std::vector<PixelColor> edge_;  ///< corners on the right edge of the picture from the top, then on the lower one
   std::size_t edge_asked_ = 0;
   bool pixels_looked_at_ = false;
   std::vector<Level> levels_;     ///< from whole pixels to the smallest cells that may be quartered

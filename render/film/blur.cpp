@@ -31,12 +31,6 @@ float variance_of(float squares, float sum, double count) {
 
 }  // namespace
 
-Rgb PlaceSums::mean() const {
-  // The division in double precision, as POV-Ray does.
-  const auto share = [this](float channel) { return static_cast<float>(static_cast<double>(channel) / count); };
-  return {share(light.x), share(light.y), share(light.z)};
-}
-
 BlurRule::BlurRule(const BlurSettings& settings)
     : settings_(settings), thresholds_(static_cast<std::size_t>(settings.samples) + 1) {
   if (settings.samples < 2) return;
@@ -59,10 +53,11 @@ bool BlurRule::is_enough(const PlaceSums& sums) const {
   if (sums.count >= settings_.samples) return true;
   if (sums.count < settings_.min_samples) return false;
   const double threshold = thresholds_[static_cast<std::size_t>(sums.count)];
+  const auto is_near = [&](float squares, float sum) { return variance_of(squares, sum, sums.count) < threshold; };
   for (unsigned channel = 0; channel < 3; ++channel) {
-    if (!(variance_of(sums.squares[channel], sums.light[channel], sums.count) < threshold)) return false;
+    if (!is_near(sums.squares.light[channel], sums.sum.light[channel])) return false;
   }
-  return true;
+  return is_near(sums.squares.clear, sums.sum.clear);
 }
 
 }  // namespace firstlight::render

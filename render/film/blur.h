@@ -1,6 +1,6 @@
 #pragma once
 
-#include "render/math/color.h"
+#include "render/math/pixel_color.h"
 
 #include <vector>
 
@@ -18,15 +18,15 @@ struct BlurSettings {
 /// Sums over the samples of a place, added in their order.
 struct PlaceSums {
   int count = 0;
-  Rgb light{0.0f, 0.0f, 0.0f};
-  Rgb squares{0.0f, 0.0f, 0.0f};
+  PixelColor sum;
+  PixelColor squares;
 
-  void add(const Rgb& color) {
+  void add(const PixelColor& color) {
     ++count;
-    light += color;
-    squares += color * color;
+    sum += color;
+    squares += PixelColor(color.light * color.light, color.clear * color.clear);
   }
-  Rgb mean() const;
+  PixelColor mean() const { return mean_of(sum, count); }
 };
 
 /// When a place has samples enough: where the mean is likely to be near.

@@ -27,10 +27,10 @@ float Contrast::encode(float working) const {
   return exponent_ == 1.0f ? light : std::pow(std::max(light, 0.0f), exponent_);
 }
 
-bool Contrast::between(const Rgb& a, const Rgb& b) const {
-  const Rgb difference = a - b;
-  return static_cast<double>(std::abs(difference.x)) + static_cast<double>(std::abs(difference.y)) +
-             static_cast<double>(std::abs(difference.z)) >=
+bool Contrast::between(const PixelColor& a, const PixelColor& b) const {
+  const PixelColor difference = a - b;
+  return static_cast<double>(std::abs(difference.light.x)) + static_cast<double>(std::abs(difference.light.y)) +
+             static_cast<double>(std::abs(difference.light.z)) + static_cast<double>(std::abs(difference.clear)) >=
          threshold_;
 }
 

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "render/film/antialias_settings.h"
-#include "render/math/color.h"
+#include "render/math/pixel_color.h"
 
 namespace firstlight::render {
 
@@ -12,12 +12,12 @@ class Contrast {
   explicit Contrast(const AntialiasSettings& settings);
 
   /// A colour as it is compared.
-  Rgb encode(const Rgb& color) const {
+  PixelColor encode(const PixelColor& color) const {
     if (!working_srgb_ && exponent_ == 1.0f) return color;
-    return {encode(color.x), encode(color.y), encode(color.z)};
+    return {Rgb(encode(color.light.x), encode(color.light.y), encode(color.light.z)), color.clear};
   }
   /// Whether two encoded colours ask for more samples.
-  bool between(const Rgb& a, const Rgb& b) const;
+  bool between(const PixelColor& a, const PixelColor& b) const;
 
  private:
   float encode(float working) const;

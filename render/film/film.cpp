@@ -6,10 +6,12 @@
 
 namespace firstlight::render {
 
-Film::Film(int width, int height)
+Film::Film(int width, int height, bool has_alpha)
     : width_(width),
       height_(height),
+      has_alpha_(has_alpha),
       samples_(static_cast<std::size_t>(width) * static_cast<std::size_t>(height)),
+      clearness_(has_alpha ? samples_.size() : 0),
       lit_(samples_.size()) {}
 
 void Film::expect(std::int64_t most, std::int64_t least) {
@@ -17,6 +19,7 @@ void Film::expect(std::int64_t most, std::int64_t least) {
   least_ = least;
   samples_.touch(lit_.size());
   lit_.touch(lit_.size());
+  if (has_alpha_) clearness_.touch(lit_.size());
 }
 
 void Film::deal_out(int threads) {
@@ -64,6 +67,13 @@ void Film::add(std::span<const Contribution> contributions) {
   }
 }
 
+void Film::add(std::span<const Clearness> clearness) {
+  if (!has_alpha_) return;
+  for (const Clearness& share : clearness) {
+    std::atomic_ref(clearness_[share.sample]).fetch_add(share.steps, std::memory_order_relaxed);
+  }
+}
+
 void Film::add_by_owners(std::span<const Contribution> contributions) {
   std::array<std::uint16_t, kMostOwners + 1> end{};  // in `order`, first of the owner before, then of the owner itself
   for (const Contribution& contribution : contributions) ++end[owner_of(contribution.sample) + 1];
@@ -80,18 +90,18 @@ void Film::add_by_owners(std::span<const Contribution> contributions) {
   }
 }
 
-Rgb Film::color(int x, int y) const {
+PixelColor Film::pixel(int x, int y) const {
   const auto pixel = static_cast<std::uint32_t>(index(x, y));
   switch (state(pixel)) {
     case State::averaged:
       return mean_so_far(pixel);
     case State::refined:
-      return refined_[pixel].color();
+      return refined_color(pixel);
     case State::first_sample:
     case State::undecided:
       break;
   }
-  return sample_color(pixel);
+  return sample(pixel);
 }
 
 Rgb Film::sample_color(std::uint32_t sample) const {
@@ -120,19 +130,17 @@ double Film::most_change(const Rgb& color) const {
                   static_cast<double>(high) - FixedRgb::to_double(least_));
 }
 
-Rgb Film::mean_so_far(std::uint32_t pixel) const {
-  Rgb sum = sample_color(pixel);
+PixelColor Film::mean_so_far(std::uint32_t pixel) const {
+  PixelColor sum = sample(pixel);
   int count = 1;
   const std::uint32_t first = first_of_mean_[pixel];
   const std::uint32_t samples = count_of_mean_.load(std::memory_order_relaxed);
-  for (std::uint32_t sample = first; sample < first + samples; ++sample) {
-    if (sample_outstanding(sample) != 0) continue;
-    sum += sample_color(sample);
+  for (std::uint32_t number = first; number < first + samples; ++number) {
+    if (sample_outstanding(number) != 0) continue;
+    sum += sample(number);
     ++count;
   }
-  // In single precision, the division in double precision, as POV-Ray does.
-  const auto share = [count](float channel) { return static_cast<float>(static_cast<double>(channel) / count); };
-  return {share(sum.x), share(sum.y), share(sum.z)};
+  return mean_of(sum, count);
 }
 
 double Film::most_change_of_mean(std::uint32_t pixel) const {
@@ -146,7 +154,7 @@ double Film::most_change_of_mean(std::uint32_t pixel) const {
   }
   if (outstanding == 0) return 0.0;
   const double count = samples + 1.0;
-  const Rgb color = mean_so_far(pixel);
+  const Rgb color = mean_so_far(pixel).light;
   const double to_mean = max_magnitude(color - sum / static_cast<float>(count));
   return std::min(to_mean + FixedRgb::to_double(outstanding) / count, most_change(color));
 }
@@ -164,6 +172,10 @@ void Film::row(int y, std::span<Rgb> colors) const {
   for (int x = 0; x < width_; ++x) colors[static_cast<std::size_t>(x)] = color(x, y);
 }
 
+void Film::row(int y, std::span<PixelColor> pixels) const {
+  for (int x = 0; x < width_; ++x) pixels[static_cast<std::size_t>(x)] = pixel(x, y);
+}
+
 std::vector<Rgb> Film::snapshot() const {
   std::vector<Rgb> picture(lit_.size());
   for (int y = 0; y < height_; ++y) row(y, std::span(picture).subspan(index(0, y), static_cast<std::size_t>(width_)));
@@ -174,6 +186,10 @@ void Film::begin_refinement(std::uint32_t room) {
   const std::size_t pixels = lit_.size();
   samples_ = ZeroedPages<Sample>();  // gives its memory back before more is asked for
   samples_ = ZeroedPages<Sample>(pixels + room);
+  if (has_alpha_) {
+    clearness_ = ZeroedPages<std::int64_t>(pixels + room);
+    refined_clearness_ = ZeroedPages<float>(pixels);
+  }
   states_ = ZeroedPages<State>(pixels);
   refined_ = ZeroedPages<Refined>(pixels);
   first_of_mean_ = ZeroedPages<std::uint32_t>(pixels);
@@ -185,6 +201,7 @@ void Film::begin_samples(std::span<const std::uint32_t> pixels) {
   for (std::size_t i = 0; i < pixels.size(); ++i) {
     Sample& sample = samples_[lit_.size() + i];
     for (std::int64_t* const sum : {&sample.r, &sample.g, &sample.b, &sample.change}) store(*sum, std::int64_t{0});
+    if (has_alpha_) store(clearness_[lit_.size() + i], std::int64_t{0});
   }
 }
 
@@ -196,11 +213,12 @@ void Film::average(std::uint32_t pixel, std::uint32_t first, std::uint32_t count
   store(states_[pixel], State::averaged, std::memory_order_release);
 }
 
-void Film::refine(std::uint32_t pixel, const Rgb& color, float open) {
+void Film::refine(std::uint32_t pixel, const PixelColor& color, float open) {
   Refined& refined = refined_[pixel];
-  store(refined.r, color.x);
-  store(refined.g, color.y);
-  store(refined.b, color.z);
+  store(refined.r, color.light.x);
+  store(refined.g, color.light.y);
+  store(refined.b, color.light.z);
+  if (has_alpha_) store(refined_clearness_[pixel], color.clear);
   store(refined.open, open);
   store(states_[pixel], State::refined, std::memory_order_release);
 }

@@ -2,6 +2,7 @@
 
 #include "render/math/color.h"
 #include "render/math/fixed_rgb.h"
+#include "render/math/pixel_color.h"
 #include "render/math/zeroed_pages.h"
 
 #include <tbb/spin_mutex.h>
@@ -18,14 +19,19 @@ namespace firstlight::render {
 ///
 /// Samples  The first of each pixel are numbered along the rows from the top; what lies beyond them is anti-aliasing's.
 /// Order    The sums do not depend on the order or the grouping of add() calls, bit for bit.
-/// Memory   33 bytes a sample; with anti-aliasing up to 21 more a pixel, and 36 for each sample there is room for. That of
-///          the pixels is taken from the system by expect(), the rest as it is used.
+/// Memory   33 bytes a sample; with anti-aliasing up to 21 more a pixel, and 36 for each sample there is room for;
+///          with an
+///          alpha channel 8 more a sample and 4 a pixel. That of the pixels is taken from the system by expect(), the
+///          rest as
+///          it is used.
 /// Threads  add(), mark_lit() and all that read may be called from any thread; a reader may see some of a batch's
 ///          contributions and not others. The rest: one thread, while nobody adds.
 class Film {
  public:
-  Film(int width, int height);
+  Film(int width, int height, bool has_alpha = false);
 
+  /// Whether it adds up what shows through, too.
+  bool has_alpha() const { return has_alpha_; }
   int width() const { return width_; }
   int height() const { return height_; }
   std::uint32_t pixels() const { return static_cast<std::uint32_t>(lit_.size()); }
@@ -44,6 +50,9 @@ class Film {
     return range < owners_.size() ? owners_[range] : range % threads_;
   }
   void add(std::span<const Contribution> contributions);
+  /// The same of what shows through, before the light of the same rays is added. Without an alpha channel nothing
+  /// happens.
+  void add(std::span<const Clearness> clearness);
   /// Asks the processor to have the sample's sums at hand, for they lie anywhere in memory.
   void fetch(std::uint32_t sample) const { __builtin_prefetch(&samples_[sample], 1); }
   /// The light of the primary ray of `sample` is on the film.
@@ -53,16 +62,19 @@ class Film {
 
   bool is_lit(int x, int y) const { return load(lit_[index(x, y)]) != 0; }
   /// The colour of a pixel, as far as it is: its first sample, or what anti-aliasing has made of several.
-  Rgb color(int x, int y) const;
+  PixelColor pixel(int x, int y) const;
+  Rgb color(int x, int y) const { return pixel(x, y).light; }
   /// The most that rays still to be traced can change any channel of a pixel; 0: the pixel is complete.
   double outstanding(int x, int y) const;
   /// Whether all pixels are.
   bool is_complete() const;
   /// The colours of a row. Pre: as many as the picture is wide.
   void row(int y, std::span<Rgb> colors) const;
+  void row(int y, std::span<PixelColor> pixels) const;
   /// All colours, rows from the top.
   std::vector<Rgb> snapshot() const;
 
+  PixelColor sample(std::uint32_t sample) const { return {sample_color(sample), sample_clearness(sample)}; }
   Rgb sample_color(std::uint32_t sample) const;
   /// The number, row by row, of the pixel that a sample belongs to.
   std::uint32_t pixel_of(std::uint32_t sample) const {
@@ -80,11 +92,13 @@ class Film {
   /// The pixel is its first sample, and no more are needed.
   void settle(std::uint32_t pixel);
   /// The pixel has a colour of several samples; `open`, of 1, is the share of it that still changes.
-  void refine(std::uint32_t pixel, const Rgb& color, float open);
+  void refine(std::uint32_t pixel, const PixelColor& color, float open);
   /// The pixel will be the mean of its first sample and `count` samples from `first` on, and is meanwhile that of those
   /// that are complete. Pre: `count` is the same for all pixels, and more than 0.
   void average(std::uint32_t pixel, std::uint32_t first, std::uint32_t count);
-  Rgb refined_color(std::uint32_t pixel) const { return refined_[pixel].color(); }
+  PixelColor refined_color(std::uint32_t pixel) const {
+    return {refined_[pixel].color(), has_alpha_ ? load(refined_clearness_[pixel]) : 0.0f};
+  }
   float open_share(std::uint32_t pixel) const { return load(refined_[pixel].open); }
 
  private:
@@ -131,12 +145,17 @@ class Film {
 
   /// The most that a mean of samples can be away from `color` in any channel, if nothing is known of them.
   double most_change(const Rgb& color) const;
-  Rgb mean_so_far(std::uint32_t pixel) const;
+  PixelColor mean_so_far(std::uint32_t pixel) const;
   double most_change_of_mean(std::uint32_t pixel) const;
+  float sample_clearness(std::uint32_t sample) const {
+    return has_alpha_ ? static_cast<float>(FixedRgb::to_double(load(clearness_[sample]))) : 0.0f;
+  }
 
   int width_;
   int height_;
+  bool has_alpha_;
   ZeroedPages<Sample> samples_;
+  ZeroedPages<std::int64_t> clearness_;  ///< of each sample; empty without an alpha channel
   std::size_t threads_ = 1;
   std::uint32_t range_shift_ = 0;     ///< samples are dealt out in ranges of 2^range_shift_
   std::vector<std::uint8_t> owners_;  ///< of each range of the pixels
@@ -147,6 +166,7 @@ class Film {
   // The rest is of anti-aliasing; empty without it.
   ZeroedPages<State> states_;
   ZeroedPages<Refined> refined_;
+  ZeroedPages<float> refined_clearness_;  ///< empty without an alpha channel
   ZeroedPages<std::uint32_t> first_of_mean_;
   std::atomic<std::uint32_t> count_of_mean_ = 0;
   ZeroedPages<std::uint32_t> pixel_of_more_;

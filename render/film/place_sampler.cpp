@@ -80,7 +80,7 @@ std::span<const SamplePoint> PlaceSampler::begin_pixels(double offset, bool is_l
   open_all(film_.pixels());
   pixels_.resize(is_last ? 0 : film_.pixels());
   for (std::uint32_t pixel = 0; pixel < film_.pixels(); ++pixel) {
-    sums_[pixel].add(film_.sample_color(pixel));
+    sums_[pixel].add(film_.sample(pixel));
     show(pixel, rule_->most() == 1);
   }
   if (rule_->most() == 1) open_.clear();
@@ -121,14 +121,14 @@ void PlaceSampler::take_in() {
   for (; round_begin_ < round_end_; ++round_begin_) {
     const std::uint32_t number = open_[round_begin_];
     PlaceSums& sums = sums_[number];
-    for (const int stop = rule_->next_stop(sums.count); sums.count < stop;) sums.add(film_.sample_color(sample++));
+    for (const int stop = rule_->next_stop(sums.count); sums.count < stop;) sums.add(film_.sample(sample++));
     if (are_pixels_) show(number, rule_->is_enough(sums));
   }
 }
 
 void PlaceSampler::show(std::uint32_t pixel, bool is_enough) {
   const PlaceSums& sums = sums_[pixel];
-  const Rgb mean = sums.mean();
+  const PixelColor mean = sums.mean();
   if (!is_last_) {
     pixels_[pixel] = mean;
     film_.refine(pixel, mean, 1.0f);
@@ -138,11 +138,11 @@ void PlaceSampler::show(std::uint32_t pixel, bool is_enough) {
   }
 }
 
-Rgb PlaceSampler::color(std::uint32_t number) const {
-  return rule_ ? sums_[number].mean() : film_.sample_color(film_.pixels() + number);
+PixelColor PlaceSampler::color(std::uint32_t number) const {
+  return rule_ ? sums_[number].mean() : film_.sample(film_.pixels() + number);
 }
 
-Rgb PlaceSampler::pixel_color(std::uint32_t pixel) const { return rule_ ? pixels_[pixel] : film_.sample_color(pixel); }
+PixelColor PlaceSampler::pixel_color(std::uint32_t pixel) const { return rule_ ? pixels_[pixel] : film_.sample(pixel); }
 
 void PlaceSampler::settle(std::uint32_t pixel) {
   if (rule_) {

@@ -13,11 +13,13 @@
 
 namespace firstlight::render {
 
-/// Finds the colours of places of a picture, many at once: by a sample each, or with focal blur by rounds of samples, until
+/// Finds the colours of places of a picture, many at once: by a sample each, or with focal blur by rounds of samples,
+/// until
 /// each place has enough.
 ///
-/// Memory   The film gets room for as many samples as it has pixels, at least 2^18 and at most 2^22; rounds are no larger.
-///          With blur 44 bytes a pixel. Throws std::bad_alloc when there is not even room for few samples.
+/// Memory   The film gets room for as many samples as it has pixels, at least 2^18 and at most 2^22; rounds are no
+///          larger.
+///          With blur 56 bytes a pixel. Throws std::bad_alloc when there is not even room for few samples.
 /// Threads  One thread calls; others may read the film.
 class PlaceSampler {
  public:
@@ -37,14 +39,15 @@ class PlaceSampler {
   /// The first samples of the places. Without blur each place has one, in their order, from the film's pixels() on.
   std::span<const SamplePoint> begin();
   /// The colour of a place that has all its samples.
-  Rgb color(std::uint32_t number) const;
+  PixelColor color(std::uint32_t number) const;
 
   // ---- Places of the pixels
-  /// Lets the places of all pixels, whose first samples are complete, get the rest of theirs. `offset`: of a place in its
+  /// Lets the places of all pixels, whose first samples are complete, get the rest of theirs. `offset`: of a place in
+  /// its
   /// pixel. `is_last`: the picture is complete then. Pre: there is blur.
   std::span<const SamplePoint> begin_pixels(double offset, bool is_last);
   /// The colour of a pixel's place. Pre: with blur, more() has come to the end of begin_pixels().
-  Rgb pixel_color(std::uint32_t pixel) const;
+  PixelColor pixel_color(std::uint32_t pixel) const;
   /// The pixel is the colour of its place, and complete. Pre: as above.
   void settle(std::uint32_t pixel);
 
@@ -74,7 +77,7 @@ class PlaceSampler {
   bool are_pixels_ = false;  ///< the places, by number
   double offset_ = 0.0;      ///< of those
   bool is_last_ = false;
-  std::vector<Rgb> pixels_;  ///< colours of the pixels' places
+  std::vector<PixelColor> pixels_;  ///< colours of the pixels' places
 };
 
 /// The samples that a picture with blur needs after the first of each pixel.

@@ -14,5 +14,7 @@ namespace firstlight::render {
 /// Source   Progressive sampling from coarse grids to fine, as in Painter and Sloan, "Antialiased ray tracing by
 ///          adaptive progressive refinement", SIGGRAPH 1989.
 std::vector<Rgb> preview(const Film& film);
+/// The same with what shows through.
+std::vector<PixelColor> preview_with_alpha(const Film& film);
 
 }  // namespace firstlight::render

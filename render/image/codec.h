@@ -8,20 +8,22 @@
 
 namespace firstlight::render {
 
-/// Picture files of the kinds that are not at hand in file_formats.h, to bytes and back. It lies in a module of its own,
-/// opened when the first such picture is read or written: OpenImageIO and the 250 libraries it needs take longer to load
+/// Picture files of the kinds that are not at hand in file_formats.h, to bytes and back. It lies in a module of its
+/// own,
+/// opened when the first such picture is read or written: OpenImageIO and the 250 libraries it needs take longer to
+/// load
 /// than many a scene takes to render.
 ///
 /// Errors   Nothing is thrown: `error` says why, and the result is empty.
 /// Threads  All members may be called from any thread.
 class ImageCodec {
  public:
-  /// Red green blue of each pixel, rows from the top.
+  /// Linear light, rows from the top; colours are multiplied by alpha.
   struct Pixels {
     int width = 0;
     int height = 0;
-    bool light = false;          ///< floats of linear light, else bytes on the sRGB curve
-    const void* data = nullptr;  ///< 3 * width * height of them
+    int channels = 3;             ///< 3: red green blue; 4: red green blue alpha
+    const float* data = nullptr;  ///< channels * width * height of them
   };
 
   virtual ~ImageCodec() = default;

@@ -8,6 +8,11 @@
 #include <cstdlib>
 
 namespace firstlight::render {
+namespace {
+
+int alpha_of(const Picture& picture, std::size_t pixel) { return picture.alpha.empty() ? 255 : picture.alpha[pixel]; }
+
+}  // namespace
 
 std::optional<Difference> compare(const Picture& a, const Picture& b, int tolerance) {
   if (a.width != b.width || a.height != b.height || a.rgb.size() != b.rgb.size()) return std::nullopt;
@@ -22,6 +27,7 @@ std::optional<Difference> compare(const Picture& a, const Picture& b, int tolera
       largest = std::max(largest, difference);
       squares += static_cast<std::uint64_t>(difference * difference);
     }
+    largest = std::max(largest, std::abs(alpha_of(a, pixel) - alpha_of(b, pixel)));
     if (largest <= tolerance) ++within;
     if (largest > result.worst) {
       result.worst = largest;

@@ -9,11 +9,11 @@ namespace firstlight::render {
 
 /// How far two pictures are apart.
 struct Difference {
-  double share_within = 1.0;  ///< of the pixels, 0 to 1: no channel differs by more than the tolerance
-  int worst = 0;              ///< largest difference of a channel, of 255
+  double share_within = 1.0;  ///< of the pixels, 0 to 1: no channel differs by more than the tolerance, nor alpha
+  int worst = 0;              ///< largest difference of a channel or of alpha, of 255
   int worst_x = 0;            ///< the first pixel, row by row, where it is
   int worst_y = 0;
-  double psnr = 0.0;  ///< dB over all channels; infinite when the pictures are equal
+  double psnr = 0.0;  ///< dB over all channels but alpha; infinite when the pictures are equal
 };
 
 /// Nothing when the sizes differ.

@@ -26,20 +26,17 @@ Encoding Encoding::as_is() {
 
 Encoding Encoding::with_file_gamma(double gamma) const {
   Encoding changed = *this;
-  if (is_managed_) changed.to_file_ = Transcoding(working_, TransferCurve::of_power(gamma));
+  if (is_managed_) changed.set_file(TransferCurve::of_power(gamma));
   return changed;
 }
 
-float Encoding::whole_number(float working, float white) const {
-  const float value = to_file_(working);
-  return value > 0.0f ? std::floor(std::min(value, 1.0f) * white + 0.5f) : 0.0f;
+float Encoding::number(float working, float white, float offset) const {
+  return quantized(to_file_(working), white, offset);
 }
 
-std::uint8_t Encoding::byte(float working) const { return static_cast<std::uint8_t>(whole_number(working, 255.0f)); }
+std::uint8_t Encoding::byte(float working) const { return static_cast<std::uint8_t>(number(working, 255.0f)); }
 
-std::uint16_t Encoding::word(float working) const {
-  return static_cast<std::uint16_t>(whole_number(working, 65535.0f));
-}
+std::uint16_t Encoding::word(float working) const { return static_cast<std::uint16_t>(number(working, 65535.0f)); }
 
 float Encoding::light(float working) const {
   const float value = working_.to_light(working);
@@ -74,30 +71,10 @@ void ByteTable::encode(std::span<const Rgb> colors, std::span<std::uint8_t> byte
   }
 }
 
-void encode_words(std::span<const Rgb> colors, const Encoding& encoding, std::span<std::uint8_t> bytes) {
-  std::size_t i = 0;
-  for (const Rgb& color : colors) {
-    for (const float channel : {color.x, color.y, color.z}) {
-      const std::uint16_t word = encoding.word(channel);
-      bytes[i++] = static_cast<std::uint8_t>(word >> 8);
-      bytes[i++] = static_cast<std::uint8_t>(word & 255);
-    }
-  }
-}
-
 std::vector<std::uint8_t> to_bytes(std::span<const Rgb> colors, const Encoding& encoding) {
   std::vector<std::uint8_t> bytes(colors.size() * 3);
   ByteTable(encoding).encode(colors, bytes);
   return bytes;
-}
-
-std::vector<float> to_light(std::span<const Rgb> colors, const Encoding& encoding) {
-  std::vector<float> values;
-  values.reserve(colors.size() * 3);
-  for (const Rgb& color : colors) {
-    for (const float channel : {color.x, color.y, color.z}) values.push_back(encoding.light(channel));
-  }
-  return values;
 }
 
 }  // namespace firstlight::render

@@ -3,15 +3,24 @@
 #include "render/image/transfer_curve.h"
 #include "render/math/color.h"
 
+#include <algorithm>
+#include <cmath>
 #include <cstdint>
 #include <span>
 #include <vector>
 
 namespace firstlight::render {
 
+/// A number in steps of a file, where `white` stands for 1, moved by `offset` of them and rounded. Not-a-number is 0.
+inline float quantized(float value, float white, float offset = 0.0f) {
+  const float moved = value + offset / white;
+  return moved > 0.0f ? std::floor(std::min(moved, 1.0f) * white + 0.5f) : 0.0f;
+}
+
 /// How the colour numbers that a scene is computed in become the numbers in a picture file.
 ///
-/// Units    Working numbers: 0 is black, 1 is white, any range. File numbers: 0 to 255 or 65535, on the sRGB curve unless
+/// Units    Working numbers: 0 is black, 1 is white, any range. File numbers: 0 to 255 or 65535, on the sRGB curve
+///          unless
 ///          with_file_gamma() says otherwise.
 /// Source   sRGB: IEC 61966-2-1. Rounding and clipping are POV-Ray 3.7's for files without dithering.
 class Encoding {
@@ -32,16 +41,23 @@ class Encoding {
   std::uint8_t byte(float working) const;
   /// The value in a file of 16 bits a channel.
   std::uint16_t word(float working) const;
+  /// The value in a file where `white` stands for 1, moved by `offset` steps before it is rounded.
+  float number(float working, float white, float offset = 0.0f) const;
+  /// The working number that such a value stands for.
+  float decoded(float number, float white) const { return to_working_(number / white); }
   /// The value in a file of linear light (OpenEXR, Radiance): unclipped, finite.
   float light(float working) const;
 
  private:
-  explicit Encoding(const TransferCurve& working) : working_(working), to_file_(working, {TransferCurve::Kind::srgb}) {}
-  /// The value in a file where `white` stands for 1.
-  float whole_number(float working, float white) const;
+  explicit Encoding(const TransferCurve& working) : working_(working) { set_file({TransferCurve::Kind::srgb}); }
+  void set_file(const TransferCurve& file) {
+    to_file_ = Transcoding(working_, file);
+    to_working_ = Transcoding(file, working_);
+  }
 
   TransferCurve working_;
   Transcoding to_file_;
+  Transcoding to_working_;
   bool is_managed_ = true;
 };
 
@@ -61,10 +77,7 @@ class ByteTable {
   std::vector<std::uint16_t> known_;  ///< of each range of numbers: their byte, or kSeveral, or kUnknown
 };
 
-/// Red green blue of each colour as Encoding::word(), the upper byte first. Pre: room for 6 * colors.size() bytes.
-void encode_words(std::span<const Rgb> colors, const Encoding& encoding, std::span<std::uint8_t> bytes);
 /// Red green blue of each colour.
 std::vector<std::uint8_t> to_bytes(std::span<const Rgb> colors, const Encoding& encoding);
-std::vector<float> to_light(std::span<const Rgb> colors, const Encoding& encoding);
 
 }  // namespace firstlight::render

@@ -52,5 +52,6 @@ void make_png(const PictureRows& picture, const PutBytes& put);
 void make_jpeg(const PictureRows& picture, const PutBytes& put);
 void make_ppm(const PictureRows& picture, const PutBytes& put);
 void make_tga(const PictureRows& picture, const PutBytes& put);
+void make_bmp(const PictureRows& picture, const PutBytes& put);
 
 }  // namespace firstlight::render

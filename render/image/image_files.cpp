@@ -39,9 +39,8 @@ class OpenImageIoCodec final : public ImageCodec {
  public:
   std::vector<unsigned char> encode(std::string_view extension, const Pixels& pixels, std::string& error) const override
       try {
-    const OIIO::TypeDesc type = pixels.light ? OIIO::TypeDesc::FLOAT : OIIO::TypeDesc::UINT8;
-    OIIO::ImageSpec spec(pixels.width, pixels.height, 3, type);
-    if (!pixels.light) spec.attribute("oiio:ColorSpace", "sRGB");
+    const OIIO::TypeDesc type = OIIO::TypeDesc::FLOAT;
+    OIIO::ImageSpec spec(pixels.width, pixels.height, pixels.channels, type);
     const std::unique_ptr<OIIO::ImageOutput> output = OIIO::ImageOutput::create(std::string(extension));
     if (!output) {
       error = first_line(OIIO::geterror());

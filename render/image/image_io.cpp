@@ -29,18 +29,20 @@ struct Format {
   using Make = void (*)(const PictureRows& picture, const PutBytes& put);
 
   std::string_view extension;
-  bool light = false;   ///< linear light in floats, else 8 bits on the sRGB curve
+  bool light = false;   ///< linear light in floats, else whole numbers
   Make make = nullptr;  ///< its files; without it, the module
+  FormatAbilities abilities = {};
 };
 
-constexpr std::array kFormats = {Format{"png", false, make_png},
-                                 Format{"tga", false, make_tga},
-                                 Format{"ppm", false, make_ppm},
-                                 Format{"bmp"},
-                                 Format{"jpg", false, make_jpeg},
-                                 Format{"jpeg", false, make_jpeg},
-                                 Format{"exr", true},
-                                 Format{"hdr", true}};
+constexpr std::array kFormats = {
+    Format{"png", false, make_png, {.alpha = true, .grey = true, .depths = true, .dithers = true}},
+    Format{"tga", false, make_tga, {.alpha = true, .dithers = true}},
+    Format{"ppm", false, make_ppm, {.grey = true, .depths = true, .dithers = true}},
+    Format{"bmp", false, make_bmp, {.alpha = true, .dithers = true}},
+    Format{"jpg", false, make_jpeg},
+    Format{"jpeg", false, make_jpeg},
+    Format{"exr", true, nullptr, {.alpha = true}},
+    Format{"hdr", true}};
 
 /// Told by what they contain, in this order; what none of them claims is the module's.
 struct Reader {
@@ -78,7 +80,8 @@ fs::path temporary_beside(const fs::path& target) {
   return target.parent_path() / fmt::format(".firstlight-{}-{}.part", static_cast<long>(::getpid()), count++);
 }
 
-/// Writes a whole file: `make` has it, part by part. The system's reason when that fails, or make's, else empty. `is_new`:
+/// Writes a whole file: `make` has it, part by part. The system's reason when that fails, or make's, else empty.
+/// `is_new`:
 /// the file must not exist yet.
 template <class Make>
 std::string write_file(const fs::path& path, bool is_new, const Make& make) {
@@ -186,6 +189,11 @@ std::string guarded(const std::string& path, Action action) {
 
 }  // namespace
 
+FormatAbilities abilities_of(const std::string& path) {
+  const Format* const found = find_format(path, {});
+  return found != nullptr ? found->abilities : FormatAbilities();
+}
+
 bool holds_light(const std::string& path, std::string_view format) {
   const Format* const found = find_format(path, format);
   return found != nullptr && found->light;
@@ -201,10 +209,6 @@ std::string write_picture(const std::string& path, const PictureRows& picture, s
     if (found == nullptr) return unknown_format(path);
     if (found->light) return refusal(path, "that format holds light, not 8-bit values");
     return write(path, picture.width, picture.height, [&](const PutBytes& put) -> std::string {
-      if (found->make == nullptr) {
-        const std::vector<std::uint8_t> rgb = whole(picture);
-        return make_by_module(*found, {picture.width, picture.height, false, rgb.data()}, put);
-      }
       found->make(picture, put);
       return {};
     });
@@ -212,13 +216,13 @@ std::string write_picture(const std::string& path, const PictureRows& picture, s
 }
 
 std::string write_light(const std::string& path, int width, int height, std::span<const float> light,
-                        std::string_view format) {
+                        std::string_view format, int channels) {
   return guarded(path, [&] {
     const Format* const found = find_format(path, format);
     if (found == nullptr) return unknown_format(path);
     if (!found->light) return refusal(path, "that format holds 8-bit values, not light");
     return write(path, width, height, [&](const PutBytes& put) {
-      return make_by_module(*found, {width, height, true, light.data()}, put);
+      return make_by_module(*found, {width, height, channels, light.data()}, put);
     });
   });
 }

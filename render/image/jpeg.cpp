@@ -10,7 +10,7 @@
 namespace firstlight::render {
 namespace {
 
-constexpr int kQuality = 95;
+constexpr int kQuality = 85;  // POV-Ray's, with colours as fine as brightness
 
 /// An application segment that says the colours are sRGB's, in the words of Exif 2.3: a TIFF file, of the least kind,
 /// whose directory points to another with the version and the colour space.
@@ -83,7 +83,7 @@ void make_jpeg(const PictureRows& picture, const PutBytes& put) {
   unsigned char* data = nullptr;
   unsigned long size = 0;
   const int failed = tjCompress2(handle.get(), rgb.data(), picture.width, 0, picture.height, TJPF_RGB, &data, &size,
-                                 TJSAMP_420, kQuality, TJFLAG_ACCURATEDCT);
+                                 TJSAMP_444, picture.quality > 1 ? picture.quality : kQuality, TJFLAG_ACCURATEDCT);
   const std::unique_ptr<unsigned char, Destroy> owner(data);
   if (failed != 0) fail(handle);
   // It begins with its mark and the JFIF segment, of 2 and 18 bytes; what says more comes then.

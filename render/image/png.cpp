@@ -146,13 +146,22 @@ void prepare_rows(Reading& r, std::size_t file_size) {
   for (int y = 0; y < raster.height; ++y) r.rows.push_back(first + stride * static_cast<std::size_t>(y));
 }
 
+/// By the number of channels, from 1.
+constexpr int kColorTypes[] = {PNG_COLOR_TYPE_GRAY, PNG_COLOR_TYPE_GRAY_ALPHA, PNG_COLOR_TYPE_RGB,
+                               PNG_COLOR_TYPE_RGB_ALPHA};
+
 void write_all(Writing& w) {
   const int width = w.picture.width;
   const int height = w.picture.height;
   png_set_write_fn(w.png, &w, put, nullptr);
   png_set_IHDR(w.png, w.info, static_cast<png_uint_32>(width), static_cast<png_uint_32>(height),
-               8 * w.picture.channel_bytes, PNG_COLOR_TYPE_RGB, PNG_INTERLACE_NONE, PNG_COMPRESSION_TYPE_DEFAULT,
-               PNG_FILTER_TYPE_DEFAULT);
+               8 * w.picture.channel_bytes, kColorTypes[w.picture.channels - 1], PNG_INTERLACE_NONE,
+               PNG_COMPRESSION_TYPE_DEFAULT, PNG_FILTER_TYPE_DEFAULT);
+  if (w.picture.bits != 8 * w.picture.channel_bytes) {
+    const auto bits = static_cast<png_byte>(w.picture.bits);
+    const png_color_8 significant{bits, bits, bits, bits, bits};
+    png_set_sBIT(w.png, w.info, &significant);
+  }
   if (w.picture.gamma == 0.0) {
     png_set_sRGB_gAMA_and_cHRM(w.png, w.info, PNG_sRGB_INTENT_ABSOLUTE);
   } else {

@@ -135,8 +135,8 @@ Raster read_pnm(FileBytes file) {
 }
 
 void make_ppm(const PictureRows& picture, const PutBytes& put) {
-  const std::string header =
-      fmt::format("P6\n{} {}\n{}\n", picture.width, picture.height, picture.channel_bytes == 1 ? 255 : 65535);
+  const std::string header = fmt::format("P{}\n{} {}\n{}\n", picture.channels == 1 ? 5 : 6, picture.width,
+                                         picture.height, (1 << picture.bits) - 1);
   put(std::vector<std::uint8_t>(header.begin(), header.end()));
   std::vector<std::uint8_t> row(picture.row_bytes());
   for (int y = 0; y < picture.height; ++y) {

@@ -86,6 +86,15 @@ Picture to_picture(Raster raster) {
         }
       },
       raster.samples);
+  if (step % 2 == 0) {
+    std::visit(
+        [&](const auto& samples) {
+          for (std::size_t i = step - 1; i < samples.size(); i += step) {
+            picture.alpha.push_back(to_byte(samples[i], raster.white));
+          }
+        },
+        raster.samples);
+  }
   return picture;
 }
 

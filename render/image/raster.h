@@ -50,11 +50,12 @@ enum class Palette { resolve, keep };
 /// Puts the colours into the samples' place: red green blue, with alpha if a colour is not opaque.
 void resolve_palette(Raster& raster);
 
-/// Makes a grey picture of 16 bits and half the width of one of a continuous potential, whose right half holds the lower bytes
+/// Makes a grey picture of 16 bits and half the width of one of a continuous potential, whose right half holds the
+/// lower bytes
 /// of the left half's indices. False where it is none: without a palette or of odd width. [Fractint]
 bool join_potential(Raster& raster);
 
-/// 8 bits a channel; alpha is dropped, grey becomes colour, what is outside 0 to 1 is clipped. Pre: no palette.
+/// 8 bits a channel; grey becomes colour, what is outside 0 to 1 is clipped. Pre: no palette.
 Picture to_picture(Raster raster);
 
 }  // namespace firstlight::render

@@ -13,6 +13,8 @@ namespace firstlight::render {
 namespace {
 
 constexpr std::size_t kHeaderSize = 18;
+constexpr std::uint8_t kRuns = 8;                                  // of the kind
+constexpr std::uint8_t kFromTop = 0x20;                            // of the last byte of the header
 constexpr std::string_view kSignature("TRUEVISION-XFILE.\0", 18);  // ends files of version 2
 
 enum class Kind { palette = 1, color = 2, grey = 3 };
@@ -37,7 +39,7 @@ Header header_of(FileBytes file) {
   return {.id_length = at[0],
           .has_palette = at[1] == 1,
           .kind = static_cast<Kind>(at[2] & 7),
-          .runs = (at[2] & 8) != 0,
+          .runs = (at[2] & kRuns) != 0,
           .palette_first = word(at + 3),
           .palette_length = word(at + 5),
           .palette_bits = at[7],
@@ -45,7 +47,7 @@ Header header_of(FileBytes file) {
           .height = word(at + 14),
           .bits = at[16],
           .from_right = (at[17] & 0x10) != 0,
-          .from_top = (at[17] & 0x20) != 0,
+          .from_top = (at[17] & kFromTop) != 0,
           .interleaved = (at[17] & 0xc0) != 0};
 }
 
@@ -92,6 +94,29 @@ std::vector<std::uint8_t> unpack(FileBytes data, bool runs, std::size_t pixel, s
     }
   }
   out.resize(size);
+  return out;
+}
+
+/// A row as packets: runs of equal pixels, and those between them as they are.
+std::vector<std::uint8_t> pack(FileBytes row, std::size_t pixel) {
+  constexpr std::size_t kMost = 128;
+  const std::size_t count = row.size() / pixel;
+  const auto are_equal = [&](std::size_t a, std::size_t b) {
+    return std::memcmp(&row[a * pixel], &row[b * pixel], pixel) == 0;
+  };
+  std::vector<std::uint8_t> out;
+  for (std::size_t first = 0; first < count;) {
+    std::size_t end = first + 1;
+    while (end < count && end - first < kMost && are_equal(first, end)) ++end;
+    const bool is_run = end - first > 1;
+    if (!is_run) {
+      while (end < count && end - first < kMost && (end + 1 == count || !are_equal(end, end + 1))) ++end;
+    }
+    out.push_back(static_cast<std::uint8_t>((end - first - 1) | (is_run ? 0x80 : 0)));
+    const FileBytes pixels = row.subspan(first * pixel, (is_run ? 1 : end - first) * pixel);
+    out.insert(out.end(), pixels.begin(), pixels.end());
+    first = end;
+  }
   return out;
 }
 
@@ -209,19 +234,22 @@ void make_tga(const PictureRows& picture, const PutBytes& put) {
   const int width = picture.width;
   const int height = picture.height;
   if (std::max(width, height) > 65535) throw BrokenPicture("a TGA file has at most 65535 pixels each way");
+  const bool has_alpha = picture.has_alpha();
+  const std::size_t pixel = picture.pixel_bytes();
   std::vector<std::uint8_t> bytes(kHeaderSize);
-  bytes[2] = static_cast<std::uint8_t>(Kind::color);
+  bytes[2] = static_cast<std::uint8_t>(static_cast<int>(Kind::color) | (picture.runs ? kRuns : 0));
   bytes[12] = static_cast<std::uint8_t>(width & 255);
   bytes[13] = static_cast<std::uint8_t>(width >> 8);
   bytes[14] = static_cast<std::uint8_t>(height & 255);
   bytes[15] = static_cast<std::uint8_t>(height >> 8);
-  bytes[16] = 24;
+  bytes[16] = has_alpha ? 32 : 24;
+  bytes[17] = has_alpha ? kFromTop | 8 : kFromTop;
   put(bytes);
   bytes.resize(picture.row_bytes());
-  for (int y = height - 1; y >= 0; --y) {  // rows from the bottom
+  for (int y = 0; y < height; ++y) {
     picture.make(y, bytes);
-    for (std::size_t x = 0; x < bytes.size(); x += 3) std::swap(bytes[x], bytes[x + 2]);
-    put(bytes);
+    for (std::size_t x = 0; x < bytes.size(); x += pixel) std::swap(bytes[x], bytes[x + 2]);
+    put(picture.runs ? pack(bytes, pixel) : bytes);
   }
   bytes.assign(8, 0);  // two offsets, of nothing
   bytes.insert(bytes.end(), kSignature.begin(), kSignature.end());

@@ -72,4 +72,10 @@ struct Contribution {
   std::int64_t outstanding = 0;
 };
 
+/// A share of what is behind the scene that shows through a sample, to be added to it: in the steps of FixedRgb.
+struct Clearness {
+  std::uint32_t sample = 0;
+  std::int64_t steps = 0;
+};
+
 }  // namespace firstlight::render

@@ -88,6 +88,7 @@ inline Stepper::Coating& Stepper::begin_coating(std::size_t hit, double share) {
   coating.hit = static_cast<std::uint32_t>(hit);
   coating.column = surface.layer_count;
   coating.weight = surface.weight;
+  coating.clear = surface.clear * static_cast<float>(share);
   if (share != 1.0) coating.weight *= static_cast<float>(share);
   coating.first_mirror = static_cast<std::uint32_t>(mirrors_.size());
   return coating;
@@ -136,7 +137,7 @@ void Stepper::find_normals(std::span<const std::uint8_t> rays) {
   });
 }
 
-void Stepper::meet(std::size_t place, std::size_t number, const RayTask& task, const Rgb& weight, Contribution& sum) {
+void Stepper::meet(std::size_t place, std::size_t number, const RayTask& task, Contribution& sum) {
   HitBlock& block = *block_;
   const Part& part = context_.scene.parts[hits_[number].part];
   const Vec3 direction = rays_->direction.vector(number);
@@ -160,7 +161,8 @@ void Stepper::meet(std::size_t place, std::size_t number, const RayTask& task, c
   surface.task = &task;
   surface.part = &part;
   surface.sum = &sum;
-  surface.weight = weight;
+  surface.weight = light_weight(task, number);
+  surface.clear = clear_weight(task, number);
   surface.level = task.level + (continued ? 0 : 1);
   surface.layer_count = 0;
   surface.own_light = Rgb(0.0f);
@@ -177,7 +179,8 @@ void Stepper::wear_own_textures() {
                        [&](std::size_t hit, std::uint32_t texture, double share) { wear(hit, texture, share); });
 }
 
-// In the order of textures' numbers, and each with its coats in the order of its maps, so that what is added up for a hit
+// In the order of textures' numbers, and each with its coats in the order of its maps, so that what is added up for a
+// hit
 // does not depend on the other hits of the block.
 void Stepper::meet_uneven() {
   std::ranges::stable_sort(uneven_, {}, &Uneven::texture);

@@ -23,7 +23,8 @@ constexpr double kUsualRow = 4.0;
 
 RadianceBound::RadianceBound(const Scene& scene) : RadianceBound(scene, scene.camera, SurfaceTable(scene)) {}
 
-RadianceBound::RadianceBound(const Scene& scene, const Camera& camera, const SurfaceTable& surfaces) {
+RadianceBound::RadianceBound(const Scene& scene, const Camera& camera, const SurfaceTable& surfaces, bool with_alpha)
+    : most_clear_(with_alpha ? 1.0f : 0.0f) {
   const SurfaceLimits limits(scene, surfaces, ray_origins(camera));
   known_ = limits.proven;
   const int levels = std::max(scene.settings.max_trace_level, 1);

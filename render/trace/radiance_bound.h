@@ -3,6 +3,7 @@
 #include "render/math/fixed_rgb.h"
 #include "render/trace/ray_task.h"
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <vector>
@@ -25,7 +26,7 @@ class RadianceBound {
  public:
   explicit RadianceBound(const Scene& scene);
   /// Bounds the scene as `camera` sees it. `surfaces`: of the scene.
-  RadianceBound(const Scene& scene, const Camera& camera, const SurfaceTable& surfaces);
+  RadianceBound(const Scene& scene, const Camera& camera, const SurfaceTable& surfaces, bool with_alpha = false);
 
   /// False where there is no bound, and at_stake() is an estimate: rows of surfaces that take no light away but add
   /// some, as clear glass without refraction does with its highlights, may be of any length; the estimate allows for
@@ -39,8 +40,10 @@ class RadianceBound {
   /// sample is 0 exactly when none is left.
   std::int64_t at_stake(const RayTask& task) const {
     if (task.kind == RayKind::shadow) return of_feelers(task);
+    if ((task.flags & RayTask::kSeesThrough) != 0) return 1 + FixedRgb::to_fixed(task.max_weight());
     const bool continued = (task.flags & RayTask::kContinued) != 0;
-    const float most = this->most(continued && task.level > 0 ? task.level - 1 : task.level);
+    float most = this->most(continued && task.level > 0 ? task.level - 1 : task.level);
+    if (task.kind == RayKind::primary) most = std::max(most, most_clear_);
     return 1 + FixedRgb::to_fixed(task.max_weight() * most);
   }
 
@@ -52,6 +55,7 @@ class RadianceBound {
   std::int64_t of_feelers(const RayTask& task) const;
 
   std::vector<float> most_;  // by level
+  float most_clear_ = 0.0f;  // that shows through
   bool known_ = true;
 };
 

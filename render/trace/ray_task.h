@@ -70,6 +70,8 @@ class RayTask {
 
   static constexpr std::uint8_t kReflected = 1;  ///< a reflection lies on the way to the eye
   static constexpr std::uint8_t kContinued = 2;  ///< went straight on through a surface: does not raise the level
+  /// Beside a ray that went through a surface: brings no light, but its weight's share of what shows through.
+  static constexpr std::uint8_t kSeesThrough = 4;
   static constexpr std::uint16_t kNoObject = 0xffff;
 
   RayTask() : radiance_() {}
@@ -78,7 +80,7 @@ class RayTask {
 
   PackedDirection direction() const { return radiance_.direction; }
   void set_direction(PackedDirection direction) { radiance_.direction = direction; }
-  /// Product of the factors on the way to the eye.
+  /// Product of the factors on the way to the eye; of what sees through, one number three times.
   Rgb weight() const {
     return {std::bit_cast<float>(radiance_.red & kUpperBits), std::bit_cast<float>(radiance_.green & kUpperBits),
             std::bit_cast<float>(last_ & kUpperBits)};
@@ -95,7 +97,8 @@ class RayTask {
     return std::bit_cast<float>((last_ & kLowBits) << 24 | (radiance_.green & kLowBits) << 16 |
                                 (radiance_.red & kLowBits) << 8);
   }
-  /// Each component and `adc_weight` are kept to 16 significant bits: the weight is rounded to the nearest, `adc_weight`
+  /// Each component and `adc_weight` are kept to 16 significant bits: the weight is rounded to the nearest,
+  /// `adc_weight`
   /// upwards, so that a ray which just reaches a bailout of few digits is traced.
   void set_weight(const Rgb& weight, float adc_weight) {
     const std::uint32_t adc = std::bit_cast<std::uint32_t>(adc_weight) + kLowBits;

@@ -195,7 +195,7 @@ void Stepper::spawn_reflections(const Coating& coating, bool totally) {
     }
     const RayTask root = child;
     spawned_.pop_back();
-    if (is_worth_tracing(context_.scene.settings, root)) add_sealed(surface, root, exponent);
+    if (!root.is_black() && is_worth_tracing(context_.scene.settings, root)) add_sealed(surface, root, exponent);
   }
 }
 
@@ -278,6 +278,14 @@ bool Stepper::spawn_transmission(const Coating& coating) {
   }
   child.set_weight(totally_reflected ? weight : weight * coating.filter,
                    surface.task->adc_weight() * max_magnitude(coating.filter));
+  const float clear = totally_reflected ? 0.0f : coating.clear * grey(passed) * static_cast<float>(coating.share);
+  if (clear != 0.0f) {
+    RayTask seeing_through = child;
+    seeing_through.flags |= RayTask::kSeesThrough;
+    seeing_through.set_weight(Rgb(clear), child.adc_weight());
+    end_ray(surface);
+    spawned_.push_back(seeing_through);
+  }
   end_ray(surface);
   return totally_reflected;
 }

@@ -43,7 +43,7 @@ Stepper::Stepper(const TraceContext& context, std::shared_ptr<const SurfaceTable
     : context_(context),
       table_(std::move(surfaces)),
       veils_of_scene_(context.scene),
-      bound_(context.scene, context.camera(), *table_),
+      bound_(context.scene, context.camera(), *table_, context.with_alpha),
       shadow_(context, *table_, veils_of_scene_),
       rays_(std::make_unique<RayBlock>()),
       asked_(std::make_unique_for_overwrite<SurfacePoints>()),
@@ -94,6 +94,7 @@ void Stepper::step_primary(std::span<const RayTask> tasks, std::span<const Ray> 
 
 void Stepper::begin(std::span<const RayTask> tasks) {
   spawned_.clear();
+  clearness_.clear();
   light_.resize(tasks.size());
 }
 
@@ -135,14 +136,10 @@ void Stepper::step_radiance(std::span<const RayTask> tasks, std::span<const Ray>
     order[table_->is_glossy(hits_[i].part) ? --glossy : matt++] = static_cast<std::uint8_t>(i);
   }
   see_surroundings(tasks, light);
-  const bool is_veiled = !veils_of_scene_.empty();
   const auto meet_all = [&](std::span<const std::uint8_t> met) {
     find_normals(met);
     std::size_t place = block_->size;
-    for (const std::size_t i : met) {
-      const Rgb weight = is_veiled ? tasks[i].weight() * veils_[i].kept : tasks[i].weight();
-      meet(place++, i, tasks[i], weight, light[i]);
-    }
+    for (const std::size_t i : met) meet(place++, i, tasks[i], light[i]);
   };
   meet_all(std::span(order).first(matt));
   meet_all(std::span(order).subspan(glossy, tasks.size() - glossy));
@@ -256,7 +253,8 @@ void Stepper::add_sealed(const Surface& surface, RayTask root, double exponent) 
   const Rgb weight = root.weight();
   root.set_weight(Rgb(1.0f), root.adc_weight());
   const Rgb color = trace_sealed(root);
-  // Negative light has a square, and no square root. What is negative by the rounding of what feelers hold alone is none.
+  // Negative light has a square, and no square root. What is negative by the rounding of what feelers hold alone is
+  // none.
   constexpr float kRounding = 0x1p-14f;
   const auto power = [exponent](float c) {
     const auto raised = static_cast<float>(steady::power(c < 0.0f && c > -kRounding ? 0.0f : c, exponent));

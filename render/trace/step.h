@@ -46,6 +46,8 @@ class Stepper {
   void step_primary(std::span<const RayTask> tasks, std::span<const Ray> rays);
 
   std::span<const Contribution> light() const { return light_; }
+  /// Additions to what shows through, where the context asks for it.
+  std::span<const Clearness> clearness() const { return clearness_; }
   std::span<const RayTask> spawned() const { return spawned_; }
   /// Since construction.
   const RayCounts& counts() const { return counts_; }
@@ -64,6 +66,7 @@ class Stepper {
     const Part* part;
     Contribution* sum;  ///< of the task
     Rgb weight;         ///< of the task, less what the way to the surface takes
+    float clear;        ///< the same of what shows through
     Rgb own_light;
     std::int32_t level;         ///< of everything spawned here
     std::uint32_t layer_count;  ///< in the HitBlock's columns
@@ -74,6 +77,7 @@ class Stepper {
     std::uint32_t hit;
     std::uint32_t column;  ///< of HitBlock::layers: its topmost layer
     Rgb weight;            ///< of the ray, times the coat's share of the texture
+    float clear;           ///< the same of what shows through
     Rgb filter;            ///< what all layers let through
     double share;          ///< the same as one number; 0 where nothing passes
     std::uint32_t first_mirror;
@@ -96,6 +100,14 @@ class Stepper {
   /// Adds what the rays of rays_ see of their surroundings: what lies along the way to hits_ and the sky behind. Sets
   /// veils_.
   void see_surroundings(std::span<const RayTask> tasks, std::span<Contribution> light);
+  /// The sky, for those of `misses` that do not ask what shows through it, and for those that do.
+  void see_sky(std::span<const RayTask> tasks, std::uint64_t misses, std::span<Contribution> light);
+  void see_through_sky(std::span<const RayTask> tasks, std::uint64_t misses, std::span<Contribution> light);
+  /// Returns how many these rays' directions are.
+  std::size_t gather_directions(std::uint64_t rays, Columns3<double>& directions) const;
+  /// A ray's weight for light, less what the way to what it meets takes, and that for what shows through.
+  Rgb light_weight(const RayTask& task, std::size_t ray) const;
+  float clear_weight(const RayTask& task, std::size_t ray) const;
 
   /// Adds what the feelers of a record change, from number `feeler` of the block on; `blocked` are the bits of those
   /// that something opaque blocks.
@@ -116,7 +128,7 @@ class Stepper {
   void find_normals(std::span<const std::uint8_t> rays);
   /// Adds the hit of a ray of rays_, which was written there at `place`, to block_ and surfaces_, unless it takes the
   /// light and gives none. Pre: places come in their order.
-  void meet(std::size_t place, std::size_t ray, const RayTask& task, const Rgb& weight, Contribution& sum);
+  void meet(std::size_t place, std::size_t ray, const RayTask& task, Contribution& sum);
   /// One texture of a hit, and its share of how the hit looks.
   void wear(std::size_t hit, std::uint32_t texture, double share);
   /// The textures of hits on shapes with lists of their own.
@@ -205,10 +217,23 @@ class Stepper {
   std::unique_ptr<FeelerBlock> feelers_;
   std::array<Rgb, kRaysAtOnce> shares_;  ///< of the block's feelers, where they are asked for
   std::vector<Contribution> light_;
+  std::vector<Clearness> clearness_;
   std::vector<RayTask> spawned_;
   std::unique_ptr<Stepper> sealed_;  ///< made when first needed
   RayCounts counts_;
 };
+
+inline Rgb Stepper::light_weight(const RayTask& task, std::size_t ray) const {
+  if ((task.flags & RayTask::kSeesThrough) != 0) return Rgb(0.0f);
+  return veils_of_scene_.empty() ? task.weight() : task.weight() * veils_[ray].kept;
+}
+
+inline float Stepper::clear_weight(const RayTask& task, std::size_t ray) const {
+  if (!context_.with_alpha) return 0.0f;
+  const bool asks = task.kind == RayKind::primary || (task.flags & RayTask::kSeesThrough) != 0;
+  if (!asks) return 0.0f;
+  return veils_of_scene_.empty() ? task.weight().x : task.weight().x * veils_[ray].clear;
+}
 
 /// Whether POV-Ray would trace the task at all (max_trace_level, adc_bailout); others add nothing.
 inline bool is_worth_tracing(const Settings& settings, const RayTask& task) {

@@ -14,6 +14,7 @@ struct TraceContext {
   const Accel& accel;
   MediumTable& media;
   const Camera* other_camera = nullptr;  ///< to look at the scene by instead of its own
+  bool with_alpha = false;               ///< rays also tell what shows through
 
   const Camera& camera() const;
 };

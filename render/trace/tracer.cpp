@@ -22,6 +22,7 @@ void Tracer::step_primary(std::span<const RayTask> tasks, std::span<const Ray> r
 
 std::span<const Contribution> Tracer::light() const { return stepper_->light(); }
 
+std::span<const Clearness> Tracer::clearness() const { return stepper_->clearness(); }
 std::span<const RayTask> Tracer::spawned() const { return stepper_->spawned(); }
 
 const RayCounts& Tracer::counts() const { return stepper_->counts(); }

@@ -32,6 +32,7 @@ class Tracer {
   void step(std::span<const RayTask> tasks);
   void step_primary(std::span<const RayTask> tasks, std::span<const Ray> rays);
   std::span<const Contribution> light() const;
+  std::span<const Clearness> clearness() const;
   std::span<const RayTask> spawned() const;
   const RayCounts& counts() const;
 

@@ -52,7 +52,8 @@ void Veils::across(std::uint64_t who, std::size_t count, const RayColumns& rays,
   }
   for (std::size_t i = 0; i < count; ++i) {
     if ((who >> i & 1u) == 0) continue;
-    veils[i] = {in_fog[i].kept * veils[i].kept, in_fog[i].added + in_fog[i].kept * veils[i].added};
+    veils[i] = {in_fog[i].kept * veils[i].kept, in_fog[i].added + in_fog[i].kept * veils[i].added,
+                grey(in_fog[i].kept) * veils[i].clear};
   }
 }
 
@@ -78,10 +79,11 @@ Veil Veils::bows(const Ray& ray, double depth) const {
     if (!veil) continue;
     sum.kept += veil->kept;
     sum.added += veil->added;
+    sum.clear *= veil->clear;
     count += 1.0f;
   }
   if (count == 0.0f) return {};
-  return {sum.kept / count, sum.added / count};
+  return {sum.kept / count, sum.added / count, sum.clear};
 }
 
 std::optional<Veil> Veils::bow(const Bow& bow, const Ray& ray, double depth, std::uint64_t number) const {
@@ -110,7 +112,7 @@ std::optional<Veil> Veils::bow(const Bow& bow, const Ray& ray, double depth, std
   const double taken = 1.0 - left;
   const auto filter = static_cast<float>(static_cast<double>(color.filter) * taken);
   return Veil{(Rgb(1.0f - filter) + color.rgb * filter) * static_cast<float>(left),
-              color.rgb * static_cast<float>(taken)};
+              color.rgb * static_cast<float>(taken), static_cast<float>(left * transmit)};
 }
 
 bool is_hollow(const Scene& scene, MediumTable& media, std::uint32_t medium) {

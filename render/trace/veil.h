@@ -14,16 +14,18 @@
 
 namespace firstlight::render {
 
-/// The matter along a ray, between its origin and what it meets: light becomes kept * light + added.
+/// The matter along a ray, between its origin and what it meets: light becomes kept * light + added, and what shows
+/// through is less by `clear`.
 struct Veil {
   Rgb kept{1.0f, 1.0f, 1.0f};
   Rgb added{0.0f, 0.0f, 0.0f};
+  float clear = 1.0f;
 };
 
 /// The fogs and rainbows of a scene.
 ///
-/// Source   POV-Ray 3.7 manual, "Fog" and "Rainbow": rainbows are behind fogs; where several fogs lie over each other, their
-///          shares multiply, and what they add is not dimmed by the others; of several rainbows the mean shows.
+/// Source   POV-Ray 3.7 manual, "Fog" and "Rainbow": rainbows are behind fogs; where several fogs lie over each other,
+///          their shares multiply, and what they add is not dimmed by the others; of several rainbows the mean shows.
 /// Threads  Immutable.
 class Veils {
  public:

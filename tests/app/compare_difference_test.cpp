@@ -45,8 +45,8 @@ TEST(CompareDifference, FindsTheWorstPixel) {
   EXPECT_EQ(found.worst, 120);
   EXPECT_EQ(found.x, 7);
   EXPECT_EQ(found.y, 4);
-  EXPECT_EQ(found.first, (std::array<int, 3>{80, 80, 80}));
-  EXPECT_EQ(found.second, (std::array<int, 3>{80, 200, 80}));
+  EXPECT_EQ(found.first, (std::vector<int>{80, 80, 80}));
+  EXPECT_EQ(found.second, (std::vector<int>{80, 200, 80}));
 }
 
 TEST(CompareDifference, MeanAndRmsAreOfAllChannels) {

@@ -142,9 +142,9 @@ TEST(Options, WhatCannotChangeThePictureIsAccepted) {
 }
 
 TEST(Options, WhatWouldChangeThePictureIsRefusedByItsName) {
-  for (const char* word : {"+Q4",        "+SC10",      "+EC0.5", "+SR1", "+ER20", "+KFF10", "+KFI1",  "+KI0",
-                           "+KF1",       "+KC",        "+UA",    "+UF",  "+TH",   "+THB4",  "+MV3.5", "+HIhead.inc",
-                           "+GIout.ini", "+GAlog.txt", "+RTR",   "+SF2", "+EF5",  "+FS",    "+FT16"  "+O-"}) {
+  for (const char* word :
+       {"+Q4", "+SC10",  "+EC0.5",      "+SR1",       "+ER20",      "+KFF10", "+KFI1", "+KI0", "+KF1", "+KC",
+        "+UF", "+MV3.5", "+HIhead.inc", "+GIout.ini", "+GAlog.txt", "+RTR",   "+SF2",  "+EF5", "+FS",  "+O-"}) {
     EXPECT_NE(complaint({word}).find(word), std::string::npos) << complaint({word});
   }
 }
@@ -233,33 +233,74 @@ TEST(Options, WrongNumbersAreNamed) {
   EXPECT_NE(complaint({"+WT0x"}).find("expected a whole number"), std::string::npos);
 }
 
-TEST(Options, FileTypesHaveTheDepthThatIsAskedForOrAreRefused) {
-  for (const char type : {'N', 'T', 'C', 'P', 'B'}) {
-    const std::string option = std::string("+F") + type;
-    for (const char* bits : {"", "5", "8"}) EXPECT_EQ(good({option + bits}).file_type, type);
-    const bool has_words = type == 'N' || type == 'P';
-    for (const char* bits : {"1", "4", "9", "12", "16", "32"}) {
-      if (has_words && std::string_view(bits) == "16") continue;
-      EXPECT_NE(complaint({option + bits}).find(has_words ? "with 8 or 16 bits" : "with 8 bits"), std::string::npos)
-          << option << bits;
-    }
+TEST(Options, FileTypesHaveTheDepthThatIsAskedForOrWarn) {
+  for (const char type : {'N', 'T', 'C', 'P', 'B', 'J', 'E', 'H'}) {
+    EXPECT_EQ(good({std::string("+F") + type}).file_type, type);
+    EXPECT_EQ(good({std::string("+F") + type}).bits, 8);
   }
-  EXPECT_EQ(good({"+FN16"}).bits, 16);
-  EXPECT_EQ(good({"Output_File_Type=P16"}).bits, 16);
-  EXPECT_EQ(good({"+FE32"}).bits, 32);
-  EXPECT_EQ(good({"+FH8"}).bits, 8);
-  EXPECT_NE(complaint({"+FE16"}).find("OpenEXR files are written with 32 bits"), std::string::npos);
-  EXPECT_NE(complaint({"+FH16"}).find("Radiance files are written with 8 bits"), std::string::npos);
-  EXPECT_NE(complaint({"Output_File_Type=T16"}).find("+FT16"), std::string::npos);
-  for (const char* word : {"+FJ90", "+FJ8", "+FJ100"}) {
-    EXPECT_NE(complaint({word}).find("quality"), std::string::npos) << word;
+  for (const char* word : {"+FN12", "+FP12", "Bits_Per_Color=12", "Bits_Per_Colour=12", "Output_File_Type=P12"}) {
+    EXPECT_EQ(good({word}).bits, 12) << word;
   }
-  for (const char* word : {"+FNg", "+fpG", "+FJg"}) {
-    EXPECT_NE(complaint({word}).find("gray"), std::string::npos) << word;
-  }
+  EXPECT_EQ(good({"Bits_Per_Color=16", "+FN"}).bits, 16) << "the type says nothing of them";
+  const auto warning = [](const char* word) {
+    const CommandLine line = parse_command_line(std::vector<std::string>{"scene.pov", word});
+    EXPECT_TRUE(line.errors.empty()) << word;
+    return line.warnings.empty() ? std::string() : line.warnings[0];
+  };
+  EXPECT_NE(warning("+FN4").find("5 are used"), std::string::npos);
+  EXPECT_NE(warning("+FP32").find("16 are used"), std::string::npos);
+  EXPECT_NE(warning("+FT16").find("8 bits"), std::string::npos);
+  EXPECT_NE(warning("+FE16").find("32 bits"), std::string::npos);
+  EXPECT_EQ(warning("+FT5"), "");
+  EXPECT_EQ(warning("+FE32"), "");
+  EXPECT_NE(warning("+FJ90").find("Compression=90"), std::string::npos);
   EXPECT_NE(complaint({"+FN8x"}).find("expected bits per channel"), std::string::npos);
   EXPECT_NE(complaint({"+FN-8"}).find("expected bits per channel"), std::string::npos);
-  EXPECT_EQ(good({"+FN8", "+FE"}).bits, 0) << "the number belongs to its type";
+  EXPECT_NE(complaint({"Bits_Per_Color=many"}).find("expected a whole number"), std::string::npos);
+}
+
+TEST(Options, PicturesInShadesOfGrayAreOfTypesThatHaveThem) {
+  EXPECT_FALSE(good({"+FN"}).grey);
+  for (const char* word : {"+FNg", "+fpG", "Grayscale_Output=on"}) EXPECT_TRUE(good({word}).grey) << word;
+  EXPECT_FALSE(good({"+FNg", "Grayscale_Output=off"}).grey);
+  for (const char* word : {"+FJg", "+FTg", "+FBg", "+FEg", "+FHg"}) {
+    EXPECT_NE(complaint({word}).find("only PNG and PPM"), std::string::npos) << word;
+  }
+  EXPECT_NE(complaint({"Grayscale_Output=on", "+FT"}).find("only PNG and PPM"), std::string::npos);
+  EXPECT_NE(complaint({"Grayscale_Output=perhaps"}).find("expected on or off"), std::string::npos);
+}
+
+TEST(Options, CompressionIsTheQualityOfJpegFiles) {
+  EXPECT_EQ(good({}).compression, 0);
+  EXPECT_EQ(good({"Compression=50"}).compression, 50);
+  EXPECT_EQ(good({"Compression=200"}).compression, 100);
+  EXPECT_EQ(good({"Compression=-1"}).compression, 0);
+  EXPECT_NE(complaint({"Compression=best"}).find("expected a whole number"), std::string::npos);
+}
+
+TEST(Options, AlphaIsAskedFor) {
+  EXPECT_FALSE(good({}).alpha);
+  EXPECT_TRUE(good({"+UA"}).alpha);
+  EXPECT_TRUE(good({"Output_Alpha=on"}).alpha);
+  EXPECT_FALSE(good({"+UA", "-UA"}).alpha);
+}
+
+TEST(Options, DitheringHasPovRaysMethods) {
+  using enum render::Dithering;
+  EXPECT_EQ(good({}).dithering, none);
+  EXPECT_EQ(good({"+TH"}).dithering, floyd_steinberg);
+  EXPECT_EQ(good({"Dither=on"}).dithering, floyd_steinberg);
+  EXPECT_EQ(good({"+THB2"}).dithering, bayer2);
+  EXPECT_EQ(good({"+thb3"}).dithering, bayer3);
+  EXPECT_EQ(good({"+THB4"}).dithering, bayer4);
+  EXPECT_EQ(good({"+THD1"}).dithering, diffusion1);
+  EXPECT_EQ(good({"+THD2"}).dithering, diffusion2);
+  EXPECT_EQ(good({"+THFS"}).dithering, floyd_steinberg);
+  EXPECT_EQ(good({"Dither_Method=D1"}).dithering, none) << "the method alone does not turn it on";
+  EXPECT_EQ(good({"Dither_Method=D1", "+TH"}).dithering, diffusion1);
+  EXPECT_EQ(good({"+THB2", "-TH"}).dithering, none);
+  EXPECT_EQ(good({"-THB2"}).dithering, none);
+  EXPECT_NE(complaint({"+THX9"}).find("known are B2"), std::string::npos);
 }
 
 TEST(Options, FilesHaveAGammaOfTheirOwn) {

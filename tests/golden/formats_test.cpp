@@ -23,15 +23,16 @@ TEST(Formats, TheCommonOnesNeedNoModule) {
     return run_process({program.string(), "scene.pov", "+W16", "+H12", "-D", format}, scratch.path(), scratch.path(),
                        kRenderLimit);
   };
-  for (const char* format : {"+FN", "+FJ", "+FP", "+FT"}) {
+  for (const char* format : {"+FN", "+FJ", "+FP", "+FT", "+FC", "+FB"}) {
     const ProcessResult result = render(format);
     EXPECT_TRUE(result.succeeded()) << format << ' ' << result.summary() << '\n' << result.err;
   }
-  const ProcessResult without = render("+FB");
+  const ProcessResult without = render("+FE");
   EXPECT_EQ(without.exit_code, 1);
   EXPECT_NE(without.err.find("the module for picture files cannot be opened"), std::string::npos) << without.err;
-  for (const char* name : {"scene.png", "scene.jpg", "scene.ppm", "scene.tga"}) EXPECT_TRUE(fs::exists(scratch / name));
-  EXPECT_FALSE(fs::exists(scratch / "scene.bmp"));
+  for (const char* name : {"scene.png", "scene.jpg", "scene.ppm", "scene.tga", "scene.bmp"})
+    EXPECT_TRUE(fs::exists(scratch / name));
+  EXPECT_FALSE(fs::exists(scratch / "scene.exr"));
 }
 
 }  // namespace

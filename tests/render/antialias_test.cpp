@@ -259,8 +259,8 @@ TEST(Antialias, SmallestPicturesWork) {
 
 TEST(Contrast, IsSeenInTheAntiAliasingGamma) {
   AntialiasSettings settings;
-  EXPECT_FLOAT_EQ(Contrast(settings).encode(Rgb(0.25f)).x, std::pow(0.25f, 0.4f));
-  EXPECT_EQ(Contrast(settings).encode(Rgb(-1.0f)).x, 0.0f);
+  EXPECT_FLOAT_EQ(Contrast(settings).encode(Rgb(0.25f)).light.x, std::pow(0.25f, 0.4f));
+  EXPECT_EQ(Contrast(settings).encode(Rgb(-1.0f)).light.x, 0.0f);
   settings.gamma = 1.0;
   EXPECT_EQ(Contrast(settings).encode(Rgb(-1.0f, 0.25f, 4.0f)), Rgb(-1.0f, 0.25f, 4.0f));
 }
@@ -268,11 +268,11 @@ TEST(Contrast, IsSeenInTheAntiAliasingGamma) {
 TEST(Contrast, TakesTheScenesNumbersForWhatTheyMean) {
   AntialiasSettings settings;
   settings.working_exponent = 2.5;
-  EXPECT_EQ(Contrast(settings).encode(Rgb(0.25f)).x, 0.25f);
+  EXPECT_EQ(Contrast(settings).encode(Rgb(0.25f)).light.x, 0.25f);
   settings.working_exponent = 2.2;
-  EXPECT_NEAR(Contrast(settings).encode(Rgb(0.25f)).x, std::pow(0.25, 2.2 / 2.5), 1e-6);
+  EXPECT_NEAR(Contrast(settings).encode(Rgb(0.25f)).light.x, std::pow(0.25, 2.2 / 2.5), 1e-6);
   settings.working_srgb = true;
-  EXPECT_NEAR(Contrast(settings).encode(Rgb(0.5f)).x, std::pow(0.214041, 0.4), 1e-5);
+  EXPECT_NEAR(Contrast(settings).encode(Rgb(0.5f)).light.x, std::pow(0.214041, 0.4), 1e-5);
 }
 
 TEST(Contrast, AddsTheChannelsUnclipped) {

@@ -65,7 +65,7 @@ Rgb place_color(const Painting& painting, const BlurSettings& settings, double x
       sums.add(as_on_film(light_of(painting, x, y, static_cast<std::uint32_t>(sums.count))));
     }
   } while (!rule.is_enough(sums));
-  return sums.mean();
+  return sums.mean().light;
 }
 
 /// A blurred picture from its first samples to its end; returns how many rounds it took.

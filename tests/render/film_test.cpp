@@ -150,6 +150,27 @@ TEST(Film, APixelInRefinementShowsTheMeanOfWhatIsComplete) {
   EXPECT_EQ(film.outstanding(0, 0), 0.0);
 }
 
+TEST(Film, AddsUpWhatShowsThroughWhereThatIsAskedFor) {
+  const std::int64_t half = FixedRgb::to_fixed(0.5f);
+  const std::vector<Clearness> shares{{0, half}, {1, half / 2}, {0, half / 2}};
+  Film plain(2, 1);
+  plain.add(shares);
+  EXPECT_EQ(plain.pixel(0, 0), PixelColor());
+  Film film(2, 1, /*has_alpha=*/true);
+  film.begin_refinement(2);
+  film.add(shares);
+  film.settle(0);
+  EXPECT_EQ(film.pixel(0, 0), PixelColor(Rgb(0.0f), 0.75f));
+  EXPECT_EQ(film.sample(1).clear, 0.25f);
+  film.refine(1, PixelColor(Rgb(1.0f), 0.125f), 0.0f);
+  EXPECT_EQ(film.pixel(1, 0), PixelColor(Rgb(1.0f), 0.125f));
+  film.begin_samples(std::vector<std::uint32_t>{0, 0});
+  film.add(std::vector<Clearness>{{2, half}, {3, half}});
+  EXPECT_EQ(film.sample(3).clear, 0.5f);
+  film.begin_samples(std::vector<std::uint32_t>{0, 0});
+  EXPECT_EQ(film.sample(3).clear, 0.0f) << "they begin anew";
+}
+
 TEST(Film, SamplesBeyondThePixelsBeginAnew) {
   Film film(2, 1);
   film.begin_refinement(2);

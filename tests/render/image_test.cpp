@@ -1,11 +1,13 @@
 #include "render/image/compare.h"
 #include "render/image/encode.h"
 #include "render/image/image_io.h"
+#include "render/image/row_encoder.h"
 #include "render/scene/file_encoding.h"
 
 #include <gtest/gtest.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <array>
 #include <bit>
 #include <cmath>
@@ -13,6 +15,7 @@
 #include <fstream>
 #include <iterator>
 #include <limits>
+#include <span>
 
 namespace firstlight::render {
 namespace {
@@ -116,7 +119,7 @@ TEST(Encoding, WordsHaveSixteenBits) {
   EXPECT_EQ(Encoding::linear().word(std::numeric_limits<float>::quiet_NaN()), 0);
   const std::array colors{Rgb(0.0f, 0.5f, 1.0f)};
   std::array<std::uint8_t, 6> bytes{};
-  encode_words(colors, Encoding::as_is(), bytes);
+  RowEncoder(Encoding::as_is(), {.bits = 16}, 1).encode(0, colors, bytes);
   EXPECT_EQ(bytes, (std::array<std::uint8_t, 6>{0, 0, 128, 0, 255, 255}));
 }
 
@@ -149,7 +152,9 @@ TEST(Encoding, OfManyColorsIsThatOfEach) {
 TEST(Encoding, KeepsTheOrderOfPixelsAndChannels) {
   const std::array<Rgb, 2> colors = {Rgb(0.0f, 1.0f, 0.5f), Rgb(1.0f, 0.0f, 0.0f)};
   EXPECT_EQ(to_bytes(colors, Encoding::as_is()), (std::vector<std::uint8_t>{0, 255, 128, 255, 0, 0}));
-  EXPECT_EQ(to_light(colors, Encoding::linear()), (std::vector<float>{0.0f, 1.0f, 0.5f, 1.0f, 0.0f, 0.0f}));
+  std::vector<float> light;
+  append_light(colors, Encoding::linear(), {}, light);
+  EXPECT_EQ(light, (std::vector<float>{0.0f, 1.0f, 0.5f, 1.0f, 0.0f, 0.0f}));
 }
 
 TEST_F(ImageFile, LosslessFormatsComeBackAsWritten) {
@@ -159,6 +164,48 @@ TEST_F(ImageFile, LosslessFormatsComeBackAsWritten) {
     EXPECT_EQ(read_image(path(name), error), example()) << name << " " << error;
   }
   EXPECT_EQ(files(), 5u) << "nothing but the pictures is left";
+}
+
+TEST_F(ImageFile, AlphaComesBackAsWritten) {
+  const std::vector<std::uint8_t> rgba{1, 2, 3, 4, 1, 2, 3, 4, 9, 8, 7, 255, 0, 0, 0, 0, 5, 6, 7, 128, 5, 6, 7, 127};
+  for (const bool runs : {false, true}) {
+    const PictureRows rows{.width = 3,
+                           .height = 2,
+                           .make =
+                               [&](int y, std::span<std::uint8_t> row) {
+                                 std::ranges::copy(std::span(rgba).subspan(12 * static_cast<std::size_t>(y), 12),
+                                                   row.begin());
+                               },
+                           .channels = 4,
+                           .runs = runs};
+    for (const char* name : {"a.png", "a.tga", "a.bmp"}) {
+      EXPECT_EQ(write_picture(path(name), rows), "") << name;
+      std::string error;
+      const Picture picture = read_image(path(name), error);
+      EXPECT_EQ(error, "");
+      EXPECT_EQ(picture.alpha, (std::vector<std::uint8_t>{4, 4, 255, 0, 128, 127})) << name;
+      EXPECT_EQ(picture.rgb, (std::vector<std::uint8_t>{1, 2, 3, 1, 2, 3, 9, 8, 7, 0, 0, 0, 5, 6, 7, 5, 6, 7})) << name;
+    }
+  }
+}
+
+TEST(RowEncoder, RaisesAlphaWhereSomethingClearIsBright) {
+  const std::array pixels{PixelColor(Rgb(0.25f), 0.75f), PixelColor(Rgb(0.5f), 0.75f), PixelColor(Rgb(0.0f), 1.0f)};
+  std::array<std::uint8_t, 12> bytes{};
+  RowEncoder(Encoding::as_is(), {.alpha = true}, 3).encode(0, pixels, bytes);
+  EXPECT_EQ(bytes, (std::array<std::uint8_t, 12>{255, 255, 255, 64, 255, 255, 255, 128, 0, 0, 0, 0}));
+}
+
+TEST(RowEncoder, NotANumberIsNotHandedOn) {
+  std::array<Rgb, 4> row{Rgb(0.5f), Rgb(std::numeric_limits<float>::quiet_NaN()), Rgb(0.5f), Rgb(0.5f)};
+  std::array<std::uint8_t, 12> bytes{};
+  RowEncoder encoder(Encoding::as_is(), {.dithering = Dithering::floyd_steinberg}, 4);
+  for (int y = 0; y < 3; ++y) {
+    encoder.encode(y, row, bytes);
+    EXPECT_EQ(bytes[3], 0);
+    EXPECT_NEAR(bytes[6], 128, 1);
+    EXPECT_NEAR(bytes[9], 128, 1);
+  }
 }
 
 TEST_F(ImageFile, SamePictureIsTheSameBytes) {

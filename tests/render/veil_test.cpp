@@ -92,7 +92,7 @@ TEST(Sky, LayersLieOverTheBackground) {
   Columns3<double> directions;
   directions.set(0, Vec3(0, 1, 0));
   Columns3<float> colors;
-  sky.colors(directions, 1, colors);
+  sky.colors(directions, 1, sky.background(), colors);
   EXPECT_NEAR(colors.vector(0).x, 0.5 + 0.5 * (0.2 + 0.5 * 0.8), 1e-6);
   EXPECT_NEAR(colors.vector(0).y, 0.5 * (0.2 + 0.5 * 0.8), 1e-6);
 }
