@@ -63,7 +63,9 @@ void evaluate_heights(const ImageSource& source, int noise_generator, render::He
   render::Evaluation evaluation;
   evaluation.noise_generator = noise_generator;
   double results[render::Function::kMostResults] = {};
-  const auto word = [](double value) { return static_cast<float>(cut(static_cast<float>(value) * 65535.0f)) / 65535.0f; };
+  const auto word = [](double value) {
+    return static_cast<float>(cut(static_cast<float>(value) * 65535.0f)) / 65535.0f;
+  };
   const double width = source.columns - 1.0;
   const double height = source.rows - 1.0;
   for (std::uint32_t row = source.rows; row-- > 0 && !render::Interrupt::asked();) {
@@ -104,7 +106,6 @@ void read_heights(const ImageSource& source, int noise_generator, render::Height
       }
     }
   }
-  if (field.columns < 2 || field.rows < 2) error = "it has less than two rows or columns";
 }
 
 }  // namespace firstlight::parser

@@ -61,8 +61,12 @@ double finite(Reader& reader, const Token& at, double value, std::string_view wh
   return value;
 }
 
+bool is_finite(const render::Vec3& value) {
+  return std::isfinite(value.x) && std::isfinite(value.y) && std::isfinite(value.z);
+}
+
 render::Vec3 finite(Reader& reader, const Token& at, const render::Vec3& value, std::string_view what) {
-  if (!std::isfinite(value.x) || !std::isfinite(value.y) || !std::isfinite(value.z)) {
+  if (!is_finite(value)) {
     reader.fail(at, std::string(what) + " has a component that is not a finite number");
   }
   return value;

@@ -32,6 +32,8 @@ render::FilteredColor color_or_black(Reader& reader);
 double finite(Reader& reader, const Token& at, double value, std::string_view what);
 render::Vec3 finite(Reader& reader, const Token& at, const render::Vec3& value, std::string_view what);
 
+bool is_finite(const render::Vec3& value);
+
 /// A number, vector or integer that must be finite. An integer is cut towards zero and held between `low` and `high`.
 double finite_number(Reader& reader, std::string_view what);
 render::Vec3 finite_vector(Reader& reader, std::string_view what);

@@ -4,6 +4,8 @@
 #include "parser/statement/parse_form.h"
 #include "parser/statement/parse_mesh2.h"
 
+#include <algorithm>
+#include <cmath>
 #include <string>
 
 namespace firstlight::parser {
@@ -60,7 +62,7 @@ Triangle parse_flat_triangle(Reader& reader, const Token& word) {
   Triangle triangle;
   reader.open_block(word);
   for (Vec3& corner : triangle.corners) {
-    corner = finite_vector(reader, "corner of 'triangle'");
+    corner = reader.vector3();
     if (&corner != &triangle.corners.back()) reader.skip_comma();
   }
   parse_triangle_end(reader, triangle);
@@ -72,7 +74,7 @@ Triangle parse_smooth_triangle_of_mesh(Reader& reader, const Token& word, bool& 
   triangle.normals.emplace();
   reader.open_block(word);
   for (std::size_t i = 0; i < 3; ++i) {
-    triangle.corners[i] = finite_vector(reader, "corner of 'smooth_triangle'");
+    triangle.corners[i] = reader.vector3();
     reader.skip_comma();
     (*triangle.normals)[i] = parse_mesh_normal(reader, warned);
     if (i < 2) reader.skip_comma();
@@ -81,8 +83,10 @@ Triangle parse_smooth_triangle_of_mesh(Reader& reader, const Token& word, bool& 
   return triangle;
 }
 
+/// False for one without an end, too: nothing is seen of it. [POV-Ray 3.7]
 bool has_area(const std::array<Vec3, 3>& corners) {
-  return (corners[0] - corners[1]).cross(corners[2] - corners[1]).length() != 0.0;
+  const double area = (corners[0] - corners[1]).cross(corners[2] - corners[1]).length();
+  return std::isfinite(area) && area != 0.0;
 }
 
 }  // namespace
@@ -119,7 +123,11 @@ void parse_mesh(Reader& reader, SceneContext&, const Token& word, Object& object
     } else {
       break;
     }
-    if (has_area(triangle.corners)) builder.add(triangle);
+    if (has_area(triangle.corners)) {
+      builder.add(triangle);
+    } else if (!std::ranges::all_of(triangle.corners, is_finite)) {
+      reader.warn(next, "a corner of this triangle is not finite, so nothing is seen of it");
+    }
     if (builder.size() > kMostFaces)
       reader.fail(next, "'mesh' has more than " + std::to_string(kMostFaces) + " triangles");
   }

@@ -8,7 +8,10 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <cstdint>
 #include <string>
+#include <unordered_set>
 
 namespace firstlight::parser {
 
@@ -102,8 +105,16 @@ class Mesh2 {
     reader_.open_block(word);
     const std::size_t count = parse_count(reader_, word);
     if (count == 0) reader_.fail(word, "'mesh2' has no corners");
+    endless_.clear();
     while (mesh_.vertices.size() < count) {
-      mesh_.vertices.push_back(rounded(finite_vector(reader_, "corner of 'mesh2'")));
+      const Token& at = reader_.peek();
+      Imath::V3f corner = rounded(reader_.vector3());
+      if (!is_finite(Vec3(corner))) {
+        if (endless_.empty()) reader_.warn(at, "this corner is not finite, so nothing is seen of its triangles");
+        endless_.insert(static_cast<std::uint32_t>(mesh_.vertices.size()));
+        corner = Imath::V3f(0.0f);
+      }
+      mesh_.vertices.push_back(corner);
       reader_.skip_comma();
     }
     reader_.close_block();
@@ -154,8 +165,8 @@ class Mesh2 {
       const int place = integer(reader_, "texture index");
       reader_.skip_comma();
       if (place < 0 || static_cast<std::size_t>(place) >= textures_.size()) {
-        reader_.fail(at, fmt::format("texture {} in {} is out of range: there are {}", place, quoted(word),
-                                     textures_.size()));
+        reader_.fail(
+            at, fmt::format("texture {} in {} is out of range: there are {}", place, quoted(word), textures_.size()));
       }
       textures[given++] = static_cast<std::uint32_t>(place);
     }
@@ -172,7 +183,10 @@ class Mesh2 {
     const std::size_t count = parse_count(reader_, word);
     if (count == 0) reader_.fail(word, "'mesh2' has no triangles");
     while (mesh_.faces.size() < count) {
-      mesh_.faces.push_back(parse_corners(reader_, word, mesh_.vertices.size()));
+      Corners& corners = mesh_.faces.emplace_back(parse_corners(reader_, word, mesh_.vertices.size()));
+      // Of a triangle without an end nothing is seen; that without a size stands for it in the lists. [POV-Ray 3.7]
+      const bool ends = std::ranges::none_of(corners, [&](std::uint32_t corner) { return endless_.contains(corner); });
+      if (!ends) corners.fill(corners[0]);
       parse_face_textures(word);
     }
     reader_.close_block();
@@ -243,6 +257,7 @@ class Mesh2 {
   const Token& word_;
   MeshParameters mesh_;
   std::vector<render::TexturePtr> textures_;
+  std::unordered_set<std::uint32_t> endless_;  ///< corners that are not finite
   bool texture_list_seen_ = false;
   bool normal_indices_seen_ = false;
   bool warned_ = false;

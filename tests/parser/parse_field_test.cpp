@@ -85,7 +85,9 @@ TEST(ParseHeightField, TakesAPictureAndALevel) {
   EXPECT_TRUE(made->inside(Vec3(0.5, 0.8, 0.1)));  // the picture's upper rows lie where z is 1
   EXPECT_FALSE(made->inside(Vec3(0.5, 0.8, 0.9)));
   EXPECT_TRUE(made->inside(Vec3(0.5, 0.2, 0.9)));
-  EXPECT_NE(parsed_object("height_field { function 1, 30 { x } }").errors, "");
+  const auto narrow = parsed_object("height_field { function 1, 30 { x } }");
+  EXPECT_EQ(narrow.errors, "");
+  EXPECT_NE(narrow.warnings.find("nothing is seen of it"), std::string::npos);
   EXPECT_NE(parsed_object("height_field { function 65535, 65535 { x } }").errors.find("too many"), std::string::npos);
   EXPECT_NE(parsed_object("height_field { png \"no such picture.png\" }").errors, "");
 }
