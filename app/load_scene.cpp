@@ -17,7 +17,8 @@ namespace firstlight::app {
 
 namespace {
 
-/// Ends the program when it was asked to stop and does not come to an end by itself soon. While a scene is read there is
+/// Ends the program when it was asked to stop and does not come to an end by itself soon. While a scene is read there
+/// is
 /// no picture to be lost, and what is long is not only reading: to build a scene, or to free a million objects.
 class Patience {
  public:
@@ -62,6 +63,7 @@ render::LoadResult load_scene(const Options& options, const render::FrontEnd& fr
   load.declares = options.declares;
   load.clock = options.clock;
   load.bounding = options.bounding;
+  load.quality = options.quality;
   load.parse_only = options.parse_only;
   std::size_t shown = 0;
   Repeats repeats;

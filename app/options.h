@@ -4,6 +4,7 @@
 #include "render/image/dither.h"
 #include "render/scene/bounding_rules.h"
 #include "render/scene/nearest.h"
+#include "render/scene/quality.h"
 
 #include <cstddef>
 #include <optional>
@@ -34,6 +35,7 @@ struct Options {
   std::vector<std::pair<std::string, std::string>> declares;  ///< name, number
   double clock = 0.0;
   render::BoundingRules bounding;
+  render::Quality quality;
   std::optional<render::AntialiasSettings> antialias;  ///< none: one sample a pixel
 
   std::string scheme = "contribution";        ///< a scheme or a mixture, as priority::Order::parse reads it

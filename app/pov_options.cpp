@@ -246,9 +246,7 @@ bool PovOptions::apply(std::string_view word) {
       apply_antialias(row->use, on, parameter);
       break;
     case Use::quality:
-      if (const int quality = *parse<int>(parameter); quality < 9 || quality > 11) {
-        out_.errors.push_back(fmt::format("option '{}': a quality below full (9) is not available", word));
-      }
+      options.quality.level = std::clamp(*parse<int>(parameter), 0, 11);
       break;
     case Use::remove_bounds:
       options.bounding.remove_bounds = on;

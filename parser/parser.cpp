@@ -39,6 +39,7 @@ render::LoadResult PovFrontEnd::load(const std::string& path, const render::Load
   try {
     render::SceneBuilder builder;
     builder.set_bounding(options.bounding);
+    builder.settings().quality = options.quality;
     SceneContext context(builder);
     Interpreter interpreter(options, result.diagnostics, context);
     Reader reader(interpreter);

@@ -41,6 +41,13 @@ void FeatureUses::add(const FeatureUses& others) {
   for (const FeatureUse& use : others.list()) add(use);
 }
 
+void FeatureUses::remove(Feature feature) {
+  if (!uses_) return;
+  std::vector<FeatureUse> rest = *uses_;
+  std::erase_if(rest, [&](const FeatureUse& use) { return use.feature == feature; });
+  uses_ = rest.empty() ? nullptr : std::make_shared<std::vector<FeatureUse>>(std::move(rest));
+}
+
 const std::vector<FeatureUse>& FeatureUses::list() const {
   static const std::vector<FeatureUse> none;
   return uses_ ? *uses_ : none;

@@ -35,6 +35,8 @@ class FeatureUses {
   /// Does nothing for a feature that is rendered.
   void add(const FeatureUse& use);
   void add(const FeatureUses& others);
+  /// Forgets the uses of a feature.
+  void remove(Feature feature);
   bool empty() const { return !uses_; }
   const std::vector<FeatureUse>& list() const;
 

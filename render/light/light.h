@@ -31,6 +31,7 @@ struct Light {
   Vec3 position{0.0, 0.0, 0.0};
   Rgb color{1.0f, 1.0f, 1.0f};
   bool shadowless = false;     ///< lights without being blocked, and gives no highlights
+  bool unblocked = false;      ///< lights without being blocked, whatever it is projected through
   double fade_distance = 0.0;  ///< scene units
   double fade_power = 0.0;     ///< 0: no fading
 
@@ -94,10 +95,16 @@ inline bool is_one_point(const Light& light) {
 }
 
 /// Whether the light is added without asking what is on its way.
-inline bool is_sure(const Light& light) { return light.shadowless && light.window == Light::kNoWindow; }
+inline bool is_sure(const Light& light) {
+  return light.unblocked || (light.shadowless && light.window == Light::kNoWindow);
+}
 
 /// Whether each point of the light's area lights for itself, and not only casts its shadow.
 inline bool has_spread_light(const Light& light) { return light.area && light.area_illumination; }
+
+/// Whether the light shines on surfaces from behind, too, if nothing is in its way: it was to light by its area, and
+/// has none. [POV-Ray 3.7]
+inline bool lights_both_sides(const Light& light) { return light.area_illumination && !light.area; }
 
 /// Whether the light is weaker far away.
 inline bool fades(const Light& light) {

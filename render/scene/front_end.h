@@ -2,6 +2,7 @@
 
 #include "render/scene/bounding_rules.h"
 #include "render/scene/diagnostic.h"
+#include "render/scene/quality.h"
 #include "render/scene/scene.h"
 
 #include <atomic>
@@ -38,6 +39,7 @@ struct LoadOptions {
   std::size_t value_memory = std::size_t{1} << 31;  ///< bytes that the scene's strings and arrays may take up
   double clock = 0.0;
   BoundingRules bounding;
+  Quality quality;
   bool parse_only = false;  ///< what cannot be rendered is listed in the summary, not refused
   /// Called for every diagnostic as it arises; may be empty. The result holds them all the same.
   std::function<void(const Diagnostic&)> report;
@@ -73,7 +75,7 @@ class FrontEnd {
 };
 
 /// A loadable module exports these two C symbols; the host refuses a module of another ABI version.
-constexpr int kFrontEndAbi = 4;
+constexpr int kFrontEndAbi = 5;
 constexpr const char* kFrontEndAbiSymbol = "firstlight_front_end_abi";  ///< int firstlight_front_end_abi()
 constexpr const char* kFrontEndSymbol =
     "firstlight_front_end";  ///< const FrontEnd* firstlight_front_end(); lives as long as the module

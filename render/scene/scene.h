@@ -7,6 +7,7 @@
 #include "render/scene/atmosphere.h"
 #include "render/scene/global_settings.h"
 #include "render/scene/object_group.h"
+#include "render/scene/quality.h"
 #include "render/scene/solid.h"
 #include "render/texture/interior.h"
 #include "render/texture/texture.h"
@@ -68,7 +69,8 @@ struct Settings {
   double gamma_exponent = 1.0;  ///< of WorkingGamma::power
   Charset charset = Charset::ascii;
   Rgb irid_wavelength{0.70f, 0.52f, 0.48f};
-  int number_of_waves = 10;   ///< of the patterns `waves` and `ripples`
+  int number_of_waves = 10;  ///< of the patterns `waves` and `ripples`
+  Quality quality;
   double mm_per_unit = 10.0;  ///< for light below surfaces
   RadiositySettings radiosity = {};
   PhotonSettings photons = {};

@@ -3,6 +3,7 @@
 #include "render/scene/extent.h"
 #include "render/scene/object_table.h"
 #include "render/scene/region.h"
+#include "render/scene/simplify.h"
 #include "render/scene/texture_table.h"
 #include "render/scene/walk_members.h"
 #include "render/shape/plane.h"
@@ -456,6 +457,7 @@ std::unique_ptr<const Scene> SceneBuilder::build() {
   state_->note_atmosphere();
   state_->scene->unrendered.add(state_->scene->camera.unrendered);
   state_->scene->unrendered.add(state_->scene->settings.unrendered);
+  simplify(*state_->scene);
   std::unique_ptr<const Scene> scene = std::move(state_->scene);
   state_ = std::make_unique<State>();
   return scene;

@@ -25,7 +25,7 @@ FilteredColor look_up(const ColorMap& map, double value) {
 }  // namespace
 
 CompiledPigment::CompiledPigment(const Pigment& source, const PatternWorld& world)
-    : source_(&source), pattern_(*source.pattern, world) {
+    : source_(&source), even_(even_color(source, world.quick_colors)), pattern_(*source.pattern, world) {
   if (!source.pattern->pigments) return;
   for (const MapEntry<Pigment>& entry : source.pattern->pigments->entries) entries_.emplace_back(entry.value, world);
 }
@@ -34,7 +34,7 @@ void CompiledPigment::colors(const SurfacePoints& points, ColorColumns& colors) 
   colors.missing = 0;
   const PatternKind kind = source_->pattern->kind;
   if (is_plain()) {
-    for (std::size_t i = 0; i < points.size; ++i) colors.set(i, source_->color);
+    for (std::size_t i = 0; i < points.size; ++i) colors.set(i, *even_);
   } else if (kind == PatternKind::uv_mapping) {
     const auto own = std::make_unique_for_overwrite<SurfacePoints>();
     to_own_coordinates(points, *own);
@@ -51,7 +51,7 @@ void CompiledPigment::colors(const SurfacePoints& points, ColorColumns& colors) 
 }
 
 FilteredColor CompiledPigment::color_at(const Vec3& point) const {
-  if (is_plain()) return source_->color;
+  if (is_plain()) return *even_;
   SurfacePoints points;
   points.size = 1;
   points.at.set(0, point);
@@ -95,8 +95,8 @@ void CompiledPigment::averaged(const SurfacePoints& points, ColorColumns& colors
     for (std::size_t i = 0; i < points.size; ++i) {
       const FilteredColor sum = colors.color(i);
       const FilteredColor more = found->color(i);
-      colors.set(i, {sum.rgb + more.rgb * share, sum.filter + more.filter * share,
-                     sum.transmit + more.transmit * share});
+      colors.set(i,
+                 {sum.rgb + more.rgb * share, sum.filter + more.filter * share, sum.transmit + more.transmit * share});
     }
     total += share;
   }

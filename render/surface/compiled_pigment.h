@@ -13,7 +13,8 @@ struct ColorColumns {
   Columns3<float> rgb;
   Column<float> filter;
   Column<float> transmit;
-  std::uint64_t missing = 0;  ///< bits of the points at which the pigment has nothing: beside a picture that is laid on once
+  std::uint64_t missing =
+      0;  ///< bits of the points at which the pigment has nothing: beside a picture that is laid on once
 
   void set(std::size_t i, const FilteredColor& color) {
     rgb.set(i, color.rgb);
@@ -31,8 +32,8 @@ class CompiledPigment {
  public:
   CompiledPigment(const Pigment& source, const PatternWorld& world);
 
-  /// Whether it is one colour everywhere: source().color.
-  bool is_plain() const { return !is_patterned(source_->pattern->kind); }
+  /// Whether it is one colour everywhere.
+  bool is_plain() const { return even_ != nullptr; }
   const Pigment& source() const { return *source_; }
   /// The colours at `points`, given in the space that the pigment is placed in.
   void colors(const SurfacePoints& points, ColorColumns& colors) const;
@@ -46,6 +47,7 @@ class CompiledPigment {
   void blended(const SurfacePoints& points, ColorColumns& colors) const;
 
   const Pigment* source_;
+  const FilteredColor* even_;  ///< null: it is patterned
   CompiledPattern pattern_;
   std::vector<CompiledPigment> entries_;  ///< of a map of pigments
 };

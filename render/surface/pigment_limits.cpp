@@ -23,9 +23,10 @@ void include_product(Range& range, const Line& a, const Line& b, const Line& c) 
 
 }  // namespace
 
-PigmentLimits::PigmentLimits(const Pigment& pigment, int language_version) : old_opacity_(language_version < 370) {
-  if (!is_patterned(pigment.pattern->kind)) {
-    include(pigment.color, pigment.color, 0.0);
+PigmentLimits::PigmentLimits(const Pigment& pigment, int language_version, bool quick_colors)
+    : old_opacity_(language_version < 370), quick_colors_(quick_colors) {
+  if (const FilteredColor* const even = even_color(pigment, quick_colors)) {
+    include(*even, *even, 0.0);
   } else if (is_image(pigment.pattern->kind)) {
     include_image(*std::get<ImageParameters>(pigment.pattern->parameters).image);
   } else {
@@ -56,7 +57,7 @@ bool PigmentLimits::only_takes() const {
 }
 
 void PigmentLimits::include_all(const Pigment& part) {
-  const PigmentLimits limits(part, old_opacity_ ? 360 : 370);
+  const PigmentLimits limits(part, old_opacity_ ? 360 : 370, quick_colors_);
   is_known = is_known && limits.is_known;
   for (std::size_t i = 0; i < 3; ++i) {
     color[i].include(limits.color[i].low);

@@ -34,7 +34,7 @@ struct PigmentLimits {
   bool is_known = true;         ///< false where colours may be of any size; then the limits are usual ones
   Channels body{};              ///< most of colour times opacity: what its own and its diffuse light are multiplied by
 
-  PigmentLimits(const Pigment& pigment, int language_version);
+  PigmentLimits(const Pigment& pigment, int language_version, bool quick_colors = false);
 
   double most_passed() const { return std::max({passed[0].size(), passed[1].size(), passed[2].size()}); }
   double most_color() const { return std::max({color[0].size(), color[1].size(), color[2].size()}); }
@@ -50,6 +50,7 @@ struct PigmentLimits {
   void include(const FilteredColor& from, const FilteredColor& to, double error);
 
   bool old_opacity_;
+  bool quick_colors_;
   double old_opacity_most_ = 0.0;
   double least_opacity_ = 0.0;
 };

@@ -12,10 +12,8 @@ namespace {
 
 double positive(double amount) { return amount > 0.0 ? amount : 0.0; }
 
-/// Whether the layer needs its pigment compiled.
-bool is_patterned(const TextureLayer& layer) { return is_patterned(layer.pigment.pattern->kind); }
-
-/// Number of the texture that a material_map of `count` has at a point: by the pixel's place in its palette, or how red it
+/// Number of the texture that a material_map of `count` has at a point: by the pixel's place in its palette, or how
+/// red it
 /// is, of 255. Numbers above the count begin again; the count itself is the last. Beside the picture it is the first.
 /// [POV-Ray 3.7]
 std::uint32_t material_at(const ImageMap& image, const Vec3& point, std::uint32_t count) {
@@ -38,7 +36,7 @@ float gathered(const Vec3& normal, const Vec3& direction, double caustics) {
 
 SurfaceTable::SurfaceTable(const Scene& scene)
     : scene_(&scene),
-      world_{scene.settings.noise_generator, scene.settings.number_of_waves},
+      world_{scene.settings.noise_generator, scene.settings.number_of_waves, !scene.settings.quality.has_pigments()},
       sky_(scene, world_),
       old_opacity_(scene.settings.language_version < 370),
       ambient_light_(scene.settings.ambient_light) {
@@ -104,6 +102,15 @@ SurfaceLayer SurfaceTable::prepared(const TextureLayer& layer) {
   const Finish& finish = *layer.finish;
   SurfaceLayer surface;
   surface.source = &layer;
+  const FilteredColor* const even = even_color(layer.pigment, world_.quick_colors);
+  surface.is_plain = even != nullptr;
+  if (even == nullptr) surface.pigment = &pigments_.emplace_back(layer.pigment, world_);
+  if (!scene_->settings.quality.has_light()) {
+    surface.own_light = Rgb(1.0f);
+    surface.is_even_mirror = true;
+    if (even != nullptr) surface.color = color(surface, *even);
+    return surface;
+  }
   surface.own_light = finish.ambient * ambient_light_ + finish.emission;
   surface.diffuse = positive(finish.diffuse);
   surface.diffuse_back = positive(finish.diffuse_back);
@@ -124,13 +131,8 @@ SurfaceLayer SurfaceTable::prepared(const TextureLayer& layer) {
                                                  !finish.reflection_fresnel && finish.reflection_metallic == 0.0);
   if (surface.is_even_mirror) surface.reflection = finish.reflection_max;
 
-  surface.is_plain = !is_patterned(layer);
-  if (surface.is_plain) {
-    surface.color = color(surface, layer.pigment.color);
-  } else {
-    surface.pigment = &pigments_.emplace_back(layer.pigment, world_);
-  }
-  if (layer.extras->normal) {
+  if (even != nullptr) surface.color = color(surface, *even);
+  if (layer.extras->normal && scene_->settings.quality.has_normals()) {
     surface.normal = &normals_.emplace_back(*layer.extras->normal, world_, layer.extras->keeps_bump_size);
   }
   return surface;
@@ -142,7 +144,11 @@ void SurfaceTable::settle(Coat& coat) {
     if (!(all.share > scene_->settings.adc_bailout)) break;
     layer.filter_above = all.filter;
     layer.share_above = all.share;
-    all.own_light += all.seen++ == 0 ? layer.color.own_light : all.filter * layer.color.own_light;
+    if (all.seen++ == 0 || !scene_->settings.quality.has_light()) {
+      all.own_light = layer.color.own_light;  // without light the lowest layer that is seen hides the others
+    } else {
+      all.own_light += all.filter * layer.color.own_light;
+    }
     all.filter *= passed_below(layer, layer.color.passed, layer.reflection);
     all.share = share_of(all.filter);
   }
@@ -155,7 +161,8 @@ LayerColor SurfaceTable::color(const SurfaceLayer& layer, const FilteredColor& p
   // Before 3.7 a tinted layer kept more of its own light. [POV-Ray 3.7: language version below 370]
   color.opacity = old_opacity_ ? 1.0 - (pigment.filter * max_component(pigment.rgb) + pigment.transmit)
                                : 1.0 - pigment.filter - pigment.transmit;
-  color.own_light = pigment.rgb * layer.own_light * static_cast<float>(color.opacity);
+  const auto opacity = scene_->settings.quality.has_light() ? static_cast<float>(color.opacity) : 1.0f;
+  color.own_light = pigment.rgb * layer.own_light * opacity;
   return color;
 }
 

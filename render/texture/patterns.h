@@ -14,8 +14,9 @@ using PatternPtr = std::shared_ptr<const Pattern>;
 
 /// The scene's settings for all patterns.
 struct PatternWorld {
-  int noise_generator = 2;   ///< 1 to 3, of patterns that choose none
-  int number_of_waves = 10;  ///< of `waves` and `ripples`
+  int noise_generator = 2;    ///< 1 to 3, of patterns that choose none
+  int number_of_waves = 10;   ///< of `waves` and `ripples`
+  bool quick_colors = false;  ///< pigments that have one are their quick colour
 };
 
 /// The parameters and settings that a pattern is made from.

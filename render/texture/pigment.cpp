@@ -41,6 +41,12 @@ bool any_kind(const Pigment& pigment, KindTest is) {
 
 }  // namespace
 
+const FilteredColor* even_color(const Pigment& pigment, bool quick_colors) {
+  const std::optional<FilteredColor>& quick = pigment.pattern->quick_color;
+  if (quick_colors && quick && quick->rgb.x != -1.0f && quick->rgb.y != -1.0f && quick->rgb.z != -1.0f) return &*quick;
+  return is_patterned(pigment.pattern->kind) ? nullptr : &pigment.color;
+}
+
 void make_plain(Pigment& pigment) {
   // Most pigments are nothing else, so they share the pattern that says so.
   static const Shared<PigmentPattern> single_color(PigmentPattern{patterned(PatternKind::plain)});

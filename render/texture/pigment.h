@@ -25,7 +25,7 @@ using PigmentMap = BlendMap<Pigment>;
 struct PigmentPattern : Patterning {
   ColorMap map = {};                                ///< empty: the pattern's own, see map_of()
   std::shared_ptr<const PigmentMap> pigments = {};  ///< instead of `map`; with uv_mapping and average the only form
-  std::optional<FilteredColor> quick_color = {};    ///< shown by quick previews; not by pictures
+  std::optional<FilteredColor> quick_color = {};    ///< shown instead by pictures of low quality
 };
 
 /// Colour of a surface at a point: one colour, or a pattern through a map of colours or of pigments. Plain data.
@@ -33,6 +33,10 @@ struct Pigment {
   FilteredColor color = {};  ///< of PatternKind::plain; nothing said means black
   Shared<PigmentPattern> pattern = {};
 };
+
+/// The colour that the pigment has everywhere, its quick colour if those are shown; null: there is none. A quick colour
+/// with a channel of -1 is none. [POV-Ray 3.7]
+const FilteredColor* even_color(const Pigment& pigment, bool quick_colors);
 
 /// Makes it one of a single colour, whatever pattern it had; `color` is the caller's to set.
 void make_plain(Pigment& pigment);

@@ -113,6 +113,7 @@ HWY_INLINE Vec tint_of(const LayerColumns& layer, std::size_t i, V cosine) {
 struct Lit {
   Vec to_light;  ///< unit
   V cosine;      ///< to the normal
+  V least;       ///< the least cosine under which the light shines on the front
   Mask behind;
   Mask used;                ///< lanes that stand for a hit; the others hold anything
   std::uint64_t light = 0;  ///< its number; of a point of a light also the point's, from bit 32 on
@@ -232,7 +233,7 @@ HWY_NOINLINE Vec uncommon_term_of(const HitBlock& block, const LayerColumns& lay
   const Vec own = load(layer.normal, i);
   Lit tilted = lit;
   tilted.cosine = dot(own, lit.to_light);
-  tilted.behind = hn::Lt(tilted.cosine, load(block.lit_from, i));
+  tilted.behind = hn::Lt(tilted.cosine, lit.least);
   return layer.has_rare ? term_of<true>(block, layer, i, tilted, own, mirrored_at(block, own, i))
                         : term_of<false>(block, layer, i, tilted, own, mirrored_at(block, own, i));
 }
@@ -302,6 +303,7 @@ struct Shining {
   bool is_spread;
   bool is_sure;
   bool highlights;
+  bool both_sides;
 
   Shining() = default;
   Shining(const Light& light, std::uint64_t shines_on)
@@ -312,7 +314,8 @@ struct Shining {
         fades(render::fades(light)),
         is_spread(has_spread_light(light)),
         is_sure(render::is_sure(light)),
-        highlights(!light.shadowless) {}
+        highlights(!light.shadowless),
+        both_sides(lights_both_sides(light)) {}
 };
 
 HWY_INLINE Vec all_lanes(const Vec3& v) {
@@ -339,7 +342,8 @@ void add_arrival_of(const HitBlock& block, const Arrival& arrival, std::uint64_t
     lit.used = hn::FirstN(d, block.size - i);
     lit.to_light = load(arrival.direction, i);
     lit.cosine = dot(normal, lit.to_light);
-    lit.behind = hn::Lt(lit.cosine, load(block.lit_from, i));
+    lit.least = load(block.lit_from, i);
+    lit.behind = hn::Lt(lit.cosine, lit.least);
     lit.highlights = highlights;
     lit.light = light;
     const Vec terms = terms_of(block, i, lit, normal, mirrored_at(block, normal, i));
@@ -376,10 +380,12 @@ void light_hits_of(HitBlock& block, std::span<const Light> lights) {
         lit.to_light = load(block.arrivals[l].direction, i);
       }
       lit.cosine = dot(normal, lit.to_light);
-      lit.behind = hn::Lt(lit.cosine, load(block.lit_from, i));
+      lit.least = light.both_sides ? hn::Set(d, -2.0) : load(block.lit_from, i);
+      lit.behind = hn::Lt(lit.cosine, lit.least);
       lit.highlights = light.highlights;
       lit.light = block.first_light + l;
-      if (!light.is_spread && !block.lit_from_behind && hn::AllFalse(d, hn::AndNot(lit.behind, lit.used))) {
+      if (!light.is_spread && !block.lit_from_behind && !light.both_sides &&
+          hn::AllFalse(d, hn::AndNot(lit.behind, lit.used))) {
         continue;
       }
       const Vec term = light.is_spread ? load(block.spread_light[l], i) : terms_of(block, i, lit, normal, mirrored);

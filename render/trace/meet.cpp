@@ -242,6 +242,7 @@ void Stepper::put_on_uneven(std::size_t hit, const Coat& coat, double of_texture
   HitBlock& block = *block_;
   Surface& surface = surfaces_[hit];
   const double bailout = context_.scene.settings.adc_bailout;
+  const bool has_light = context_.scene.settings.quality.has_light();
   Coating& coating = begin_coating(hit, of_texture);
   double share = 1.0;
   Rgb filter(1.0f);
@@ -265,7 +266,7 @@ void Stepper::put_on_uneven(std::size_t hit, const Coat& coat, double of_texture
       normal = looks_[l].normals.vector(lane);
       set_normal(block, block.layers[column], hit, normal);
     }
-    own_light += filter * color.own_light;
+    own_light = has_light ? own_light + filter * color.own_light : color.own_light;
 
     Rgb reflection(0.0f);
     if (layer.reflects) {

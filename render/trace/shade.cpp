@@ -56,7 +56,8 @@ void Stepper::shade() {
   begin_light(block);
   if (block.layer_count > 0) {
     const std::span<const Light> lights = context_.scene.lights;
-    const FeelerStarts starts{block.point, block.normal, block.size, block.lit_from_behind};
+    const bool from_behind = block.lit_from_behind || has_two_sided_light_;
+    const FeelerStarts starts{block.point, block.normal, block.size, from_behind};
     for (std::size_t first = 0; first < lights.size() && !Interrupt::asked(); first += kLightsAtOnce) {
       const std::size_t count = std::min(kLightsAtOnce, lights.size() - first);
       if (has_light_groups_) find_reached(lights.subspan(first, count));
@@ -78,7 +79,9 @@ void Stepper::shade() {
   }
   for (const Coating& coating : coatings_) {
     if (surfaces_[coating.hit].level >= settings.max_trace_level) continue;
-    spawn_reflections(coating, coating.share > settings.adc_bailout && spawn_transmission(coating));
+    const bool passes = settings.quality.has_refraction() && coating.share > settings.adc_bailout;
+    const bool reflects_all = passes && spawn_transmission(coating);
+    if (settings.quality.has_reflection()) spawn_reflections(coating, reflects_all);
   }
 }
 

@@ -52,6 +52,7 @@ Stepper::Stepper(const TraceContext& context, std::shared_ptr<const SurfaceTable
   for (const Light& light : context.scene.lights) {
     light_places_.push_back(place_of(light));
     has_light_groups_ |= light.group != 0;
+    has_two_sided_light_ |= lights_both_sides(light);
     if (light.area && !area_shadow_) area_shadow_ = std::make_unique<AreaShadow>(context.scene, shadow_);
   }
   // A group may have had no lights, but lights of the scene that do not shine on it.

@@ -199,6 +199,7 @@ class Stepper {
   std::unique_ptr<AreaShadow> area_shadow_;  ///< null: there are no area lights
   std::vector<LightPlace> light_places_;
   bool has_light_groups_ = false;
+  bool has_two_sided_light_ = false;
   std::unique_ptr<RayBlock> rays_;
   Column<std::int64_t> packed_directions_;
   std::array<Hit, kRaysAtOnce> hits_;

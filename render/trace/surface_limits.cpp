@@ -25,14 +25,14 @@ double largest(const Channels& c) { return std::max({std::abs(c[0]), std::abs(c[
 bool is_negative(const Rgb& color) { return std::min({color.x, color.y, color.z}) < 0.0f; }
 
 /// Whether the layer may make negative light of light that is not.
-bool may_turn_negative(const TextureLayer& layer, int language_version) {
+bool may_turn_negative(const TextureLayer& layer, int language_version, bool quick_colors) {
   const Finish& finish = layer.finish;
   const bool mirrors_too_much = finish.conserve_energy && std::max(max_component(finish.reflection_min),
                                                                    max_component(finish.reflection_max)) > 1.0f;
   return is_negative(finish.ambient) || is_negative(finish.emission) || is_negative(finish.reflection_min) ||
          is_negative(finish.reflection_max) || finish.reflection_metallic < 0.0 || finish.reflection_metallic > 1.0 ||
          finish.metallic > 1.0 || finish.crand > 0.0 || finish.irid > 1.0 || mirrors_too_much ||
-         PigmentLimits(layer.pigment, language_version).may_turn_negative();
+         PigmentLimits(layer.pigment, language_version, quick_colors).may_turn_negative();
 }
 
 /// Whether there may be negative light anywhere in the scene.
@@ -47,7 +47,7 @@ bool may_be_negative(const Scene& scene, const SurfaceTable& surfaces) {
                                       max_component(interior.fade_color) > 1.0f;
                              }) ||
          std::ranges::any_of(surfaces.all_layers(), [&](const SurfaceLayer& layer) {
-           return may_turn_negative(*layer.source, settings.language_version);
+           return may_turn_negative(*layer.source, settings.language_version, !settings.quality.has_pigments());
          });
 }
 
@@ -138,6 +138,7 @@ void Maker::look_at_matter(const Box3& origins) {
 
 /// Diffuse light and highlights of all lights, and what shines by itself.
 double Maker::lit(const Finish& finish, const PigmentLimits& pigment, std::size_t channel) {
+  if (!scene_.settings.quality.has_light()) return pigment.color[channel].size();
   // A cosine to a power is at most 1, unless the power is negative.
   const auto largest_of = [&](double amount, double exponent) {
     return std::max(0.0, amount) * usual(amount <= 0.0 || exponent >= 0.0);
@@ -178,7 +179,7 @@ void Maker::add(const Coat& coat) {
   bool only_takes = true;
   for (const SurfaceLayer& layer : surfaces_.layers(coat)) {
     const Pigment& source = layer.source->pigment;
-    const PigmentLimits pigment(source, scene_.settings.language_version);
+    const PigmentLimits pigment(source, scene_.settings.language_version, !scene_.settings.quality.has_pigments());
     need(pigment.is_known && !source.pattern->pigments);  // colours between those of several pigments are not looked at
     const Finish& finish = layer.source->finish;
     for (std::size_t i = 0; i < 3; ++i) own[i] += passed * most_kept * lit(finish, pigment, i);

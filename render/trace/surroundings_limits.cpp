@@ -70,13 +70,13 @@ VeilLimits veil_limits(const Scene& scene, bool& proven) {
 
 double sky_limit(const Scene& scene, bool& proven) {
   const Settings& settings = scene.settings;
-  const double background = size_of(settings.background);
+  const double background = std::max(size_of(settings.background), size_of(settings.background_with_alpha.rgb));
   if (!scene.atmosphere.sky_sphere) return background;
   const SkySphere& sky = *scene.atmosphere.sky_sphere;
   double light = 0.0;
   double passed = 1.0;
   for (auto pigment = sky.pigments.rbegin(); pigment != sky.pigments.rend(); ++pigment) {
-    const PigmentLimits limits(*pigment, 370);
+    const PigmentLimits limits(*pigment, 370, !settings.quality.has_pigments());
     proven = proven && limits.is_known && !pigment->pattern->pigments;
     light += passed * std::max({limits.body[0], limits.body[1], limits.body[2]});
     passed *= limits.most_passed();

@@ -81,7 +81,7 @@ TEST(CompareOptions, WhatMeansNothingIsRefused) {
                                                 {"--time-limit", "0"},
                                                 {"--threads", "100000"},
                                                 {"--scheme", "nonsense"},
-                                                {"+Q4"},
+                                                {"+MV3.5"},
                                                 {"--keep="}}) {
     std::vector<std::string> all{"a.pov"};
     all.insert(all.end(), words.begin(), words.end());

@@ -142,9 +142,8 @@ TEST(Options, WhatCannotChangeThePictureIsAccepted) {
 }
 
 TEST(Options, WhatWouldChangeThePictureIsRefusedByItsName) {
-  for (const char* word :
-       {"+Q4", "+SC10",  "+EC0.5",      "+SR1",       "+ER20",      "+KFF10", "+KFI1", "+KI0", "+KF1", "+KC",
-        "+UF", "+MV3.5", "+HIhead.inc", "+GIout.ini", "+GAlog.txt", "+RTR",   "+SF2",  "+EF5", "+FS",  "+O-"}) {
+  for (const char* word : {"+SC10", "+EC0.5", "+SR1", "+ER20", "+KFF10", "+KFI1", "+KI0", "+KF1", "+KC", "+UF",
+                           "+MV3.5", "+HIhead.inc", "+GIout.ini", "+GAlog.txt", "+RTR", "+SF2", "+EF5", "+FS", "+O-"}) {
     EXPECT_NE(complaint({word}).find(word), std::string::npos) << complaint({word});
   }
 }
@@ -276,6 +275,15 @@ TEST(Options, CompressionIsTheQualityOfJpegFiles) {
   EXPECT_EQ(good({"Compression=200"}).compression, 100);
   EXPECT_EQ(good({"Compression=-1"}).compression, 0);
   EXPECT_NE(complaint({"Compression=best"}).find("expected a whole number"), std::string::npos);
+}
+
+TEST(Options, QualityHasPovRaysLevels) {
+  EXPECT_EQ(good({}).quality.level, 9);
+  EXPECT_EQ(good({"+Q4"}).quality.level, 4);
+  EXPECT_EQ(good({"Quality=0"}).quality.level, 0);
+  EXPECT_EQ(good({"+Q99"}).quality.level, 11);
+  EXPECT_EQ(good({"+Q-1"}).quality.level, 0);
+  EXPECT_NE(complaint({"+Qbest"}).find("expected a whole number"), std::string::npos);
 }
 
 TEST(Options, AlphaIsAskedFor) {
