@@ -28,6 +28,7 @@ void add_member(Reader& reader, const Token& at, Object& whole, const Object& me
   count_in(reader, at, whole, member);
   whole.textured = whole.textured || member.textured;
   whole.patch = whole.patch || member.patch;
+  whole.cuts_away = whole.cuts_away || member.cuts_away;
   // a disc is the half space behind it, and far beyond its box
   whole.cramped = whole.cramped || member.cramped || member.word == spelling(Keyword::disc);
 }
@@ -43,6 +44,7 @@ Object parse_csg(Reader& reader, SceneContext& context, const Token& word) {
   }
   Object whole;
   whole.kind = combining_kind(word.keyword);
+  whole.difference = word.is(Keyword::difference);
   std::vector<Object> members;
   for (;;) {
     const Token& at = reader.peek();

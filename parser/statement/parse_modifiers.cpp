@@ -119,7 +119,7 @@ bool accept_rare_modifier(Reader& reader, SceneContext& context, Object& object)
         reader.fail(word, "'cutaway_textures' is for 'intersection' and 'difference' only");
       }
       object.cutaway_textures = true;
-      object.extras.change().unrendered.add(feature_use(render::Feature::cutaway_textures, word));
+      object.cuts_away = true;
       return true;
     }
     case Keyword::light_source:

@@ -33,7 +33,7 @@ struct ObjectExtras {
   bool bounds_are_clips = false;  ///< bounded_by { clipped_by }
 
   std::vector<TexturePtr> shape_textures = {};  ///< of Kind::shape: the shape's own list, in its space
-  TexturePtr interior_texture = {};  ///< seen from inside; null: inherited, or as outside
+  TexturePtr interior_texture = {};             ///< seen from inside; null: inherited, or as outside
   Transform interior_texture_placement = {};
   std::optional<Shared<Interior>> interior = {};  ///< not set: inherited
 
@@ -73,6 +73,8 @@ struct Object {
   bool double_illuminate = false;
   bool uv_mapping = false;        ///< textures go by the shape's own coordinates, not by space
   bool cutaway_textures = false;  ///< of an intersection: parts without a texture have those of what they cut
+  bool cuts_away = false;         ///< it or something in it has `cutaway_textures`
+  bool difference = false;        ///< of an intersection: what its first member is left with
   bool split_union = true;        ///< of a union: its parts may be bounded one by one
   bool sturm = false;             ///< polynomials are solved the slow and sure way
   bool hierarchy = true;          ///< parts of the shape may be bounded

@@ -5,6 +5,7 @@
 #include "render/math/color.h"
 #include "render/math/shared.h"
 #include "render/scene/atmosphere.h"
+#include "render/scene/cutaway.h"
 #include "render/scene/global_settings.h"
 #include "render/scene/object_group.h"
 #include "render/scene/quality.h"
@@ -34,7 +35,8 @@ struct Part {
   std::uint32_t interior = 0;                 ///< into Scene::interiors; equal for all parts of one piece of matter
   std::uint32_t object = 0;                   ///< into Scene::objects: what a user may call it
   std::uint32_t shape_textures = 0;           ///< into Scene::shape_textures: the first of the shape's own list
-  bool has_shape_textures = false;            ///< the shape says which textures are seen at a point
+  std::uint32_t cutaway = kNoIndex;           ///< into Scene::cutaways: where it has no texture, who has
+  bool has_shape_textures = false;            ///< the shape says which textures are seen at a point, or `cutaway` does
   bool uv_mapping = false;                    ///< textures lie in the surface's own coordinates
   bool opaque = false;                        ///< no light passes, from either side
   bool inverted = false;
@@ -92,6 +94,7 @@ struct Scene {
   std::vector<PlacedTexture> textures;
   std::vector<std::uint32_t> shape_textures;  ///< the lists of all shapes that have some, into `textures`
   std::vector<Shared<Interior>> interiors;
+  std::vector<Cutaway> cutaways;
   std::vector<ObjectGroup> objects;
   FeatureUses unrendered = {};  ///< of all that is in the scene: while not empty, no picture is right
   std::vector<std::vector<std::string>> light_names;  ///< SDL identifiers of each light, the outermost first

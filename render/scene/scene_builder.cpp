@@ -37,11 +37,14 @@ struct Inherited {
   bool double_illuminate = false;
   bool uv_mapping = false;  ///< of the textures
   bool hollow = false;
-  Moves moves;  ///< of the dissolved unions around, one after another, for extent()
+  Moves moves;                      ///< of the dissolved unions around, one after another, for extent()
   std::uint32_t light_group = 0;    ///< whose lights shine on it; 0: none
   std::uint32_t group_at_hand = 0;  ///< of lights that are members of the node itself
   bool in_light_group = false;
   bool global_lights = true;
+  bool cuts_away = false;            ///< `cutaway_textures` stands at it or around it
+  bool is_intersection = false;      ///< the node itself
+  std::uint32_t cutaway = kNoIndex;  ///< of the outermost combination, where `cutaway_textures` stands in it
 };
 
 std::uint8_t hidden_bits(const Object& object) {
@@ -77,7 +80,8 @@ bool has_surface(const Solid& solid) {
   return solid.kind == Solid::Kind::shape || std::ranges::any_of(solid.members(), has_surface);
 }
 
-/// Whether POV-Ray takes bounds of such a shape for unnecessary: it knows where the shape ends, or takes it for a plane.
+/// Whether POV-Ray takes bounds of such a shape for unnecessary: it knows where the shape ends, or takes it for a
+/// plane.
 bool needs_no_bounds(const Shape& shape) {
   if (dynamic_cast<const Plane*>(&shape) != nullptr) return true;
   const Box3 box = shape.bounds();
@@ -109,8 +113,9 @@ struct SceneBuilder::State {
     Inherited around;
   };
   std::vector<Look> looks;
-  std::uint32_t light_groups = 0;  ///< so far
-  std::uint64_t size = 1;       ///< of the top-level solid at hand
+  std::uint32_t light_groups = 0;           ///< so far
+  std::uint32_t frozen_cutaway = kNoIndex;  ///< of the combination that was frozen last
+  std::uint64_t size = 1;                   ///< of the top-level solid at hand
   bool has_camera = false;
   BoundingRules bounding;
   Shared<Interior> surroundings;  ///< see air()
@@ -132,6 +137,7 @@ struct SceneBuilder::State {
   void note_surfaces();
   void note_atmosphere();
   bool freeze(const Object& object, const Inherited& parent, bool top_level, Solid& solid);
+  Cutaway::Member cut_member(const Solid& solid) const;
   void add_part(Solid& solid, const Object& object, const Inherited& leaf);
   void finish();
 };
@@ -155,10 +161,14 @@ Inherited SceneBuilder::State::at_node(const Object& object, const Inherited& pa
         unshared ? textures.index_of_unshared(object.texture, place) : textures.index_of(object.texture, place);
   }
   if (extras.interior_texture) {
-    node.interior_texture =
-        textures.index_of(extras.interior_texture, placed(extras.interior_texture_placement));
+    node.interior_texture = textures.index_of(extras.interior_texture, placed(extras.interior_texture_placement));
   }
-  if (node.texture == kNoIndex && object.kind == Object::Kind::shape && default_texture) {
+  // Parts of a whole that shows what it cuts may have none.
+  node.cuts_away = parent.cuts_away || object.cutaway_textures;
+  node.is_intersection = false;
+  const bool may_have_none = parent.cuts_away && parent.is_intersection;
+  const bool needs_one = object.kind == Object::Kind::shape || (node.cuts_away && !object.textured);
+  if (node.texture == kNoIndex && needs_one && default_texture && !may_have_none) {
     node.texture = textures.index_of(default_texture, Transform());
   }
   scene->unrendered.add(extras.unrendered);
@@ -278,13 +288,20 @@ bool SceneBuilder::State::freeze(const Object& object, const Inherited& parent, 
     add_light(object, parent);
     return false;
   }
-  const Inherited node = at_node(object, parent);
+  Inherited node = at_node(object, parent);
   if (top_level) solid.matter = node.interior;
   if (object.kind == Object::Kind::shape && !object.shape) return false;
   solid.kind = solid_kind(object.kind, node.inverted);
   // The complement of a union's complement is a merge. [POV-Ray 3.7]
   if (node.turned && solid.kind == Solid::Kind::union_) solid.kind = Solid::Kind::merge;
   solid.hidden_from = node.hidden_from;
+  node.is_intersection = solid.kind == Solid::Kind::intersection;
+  std::uint32_t cutaway = kNoIndex;
+  if (object.kind != Object::Kind::shape && (object.cuts_away || node.cutaway != kNoIndex)) {
+    cutaway = static_cast<std::uint32_t>(scene->cutaways.size());
+    scene->cutaways.emplace_back().first_alone = object.difference;
+    if (node.cutaway == kNoIndex) node.cutaway = cutaway;
+  }
   if (object.kind == Object::Kind::shape) {
     solid.shape = placed_shape(object, node.to_world, node.inverted);
     add_part(solid, object, node);
@@ -295,9 +312,16 @@ bool SceneBuilder::State::freeze(const Object& object, const Inherited& parent, 
     const auto enter = [&](const Object& child, const Inherited& around) {
       return deep && is_plain_union(child) ? std::optional(at_node(child, around)) : std::nullopt;
     };
+    std::vector<Cutaway::Member> cut;
     walk_members(object, node, enter, [&](const Object& child, const Inherited& around) {
-      if (!freeze(child, around, false, members.emplace_back())) members.pop_back();
+      Solid& member = members.emplace_back();
+      if (!freeze(child, around, false, member)) {
+        members.pop_back();
+      } else if (cutaway != kNoIndex) {
+        cut.push_back(cut_member(member));
+      }
     });
+    if (cutaway != kNoIndex) scene->cutaways[cutaway].members = std::move(cut);
     solid.set_members(std::move(members));
   }
   if (!object.extras.is_initial()) {
@@ -309,7 +333,14 @@ bool SceneBuilder::State::freeze(const Object& object, const Inherited& parent, 
     if (!drops_bounds) solid.set_bounds(bounding_regions(bounds_of(object), node.to_world));
   }
   solid.close();
+  frozen_cutaway = cutaway;
   return true;
+}
+
+/// The solid that has just been frozen, as what contains it asks for its texture.
+Cutaway::Member SceneBuilder::State::cut_member(const Solid& solid) const {
+  const bool is_shape = solid.kind == Solid::Kind::shape;
+  return {solid, is_shape ? scene->parts[solid.part].texture : kNoIndex, is_shape ? kNoIndex : frozen_cutaway};
 }
 
 void SceneBuilder::State::add_light(const Object& object, const Inherited& parent) {
@@ -325,6 +356,8 @@ void SceneBuilder::State::add_light(const Object& object, const Inherited& paren
     look.around.inverted = false;
     look.around.turned = false;
     look.around.names = names;
+    look.around.cuts_away = false;
+    look.around.cutaway = kNoIndex;
     look.around.global_lights = true;  // [POV-Ray 3.7] also in a light group
   }
   if (light.projected_through) light.window = add_window(*light.projected_through);
@@ -392,6 +425,10 @@ void SceneBuilder::State::add_part(Solid& solid, const Object& object, const Inh
   part.inverted = leaf.inverted;
   part.uv_mapping = leaf.uv_mapping;
   if (!object.extras->shape_textures.empty()) add_shape_textures(part, object, leaf);
+  if (leaf.cuts_away && leaf.texture == kNoIndex && !part.has_shape_textures) {
+    part.cutaway = leaf.cutaway;
+    part.has_shape_textures = true;
+  }
   part.double_illuminate = leaf.double_illuminate;
   part.light_group = leaf.light_group;
   part.global_lights = leaf.global_lights;

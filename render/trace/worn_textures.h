@@ -4,6 +4,7 @@
 #include "render/shape/shape.h"
 #include "render/trace/shape_runs.h"
 
+#include <bit>
 #include <cstdint>
 #include <vector>
 
@@ -19,7 +20,25 @@ inline std::uint32_t only_texture(const Part& part, bool from_inside) {
   return from_inside && part.interior_texture != kNoIndex ? part.interior_texture : part.texture;
 }
 
-/// Calls visit(place, index into Scene::textures, share) for the textures that are seen at the places whose bits are set,
+/// The same of parts that have no texture and show what they cut.
+template <class Visit>
+void for_each_cut_texture(const Scene& scene, const SurfacePlaces& places, std::uint64_t which,
+                          std::vector<TextureShare>& scratch, const Visit& visit) {
+  if (scene.cutaways.empty()) return;
+  for (; which != 0; which &= which - 1) {
+    const auto place = static_cast<std::uint32_t>(std::countr_zero(which));
+    const Part& part = scene.parts[places.crossing[place]->part];
+    if (part.cutaway == kNoIndex) continue;
+    scratch.clear();
+    add_cut_textures(scene, part.cutaway, places.point.vector(place), place, scratch);
+    for (const TextureShare& share : scratch) {
+      if (share.weight >= scene.settings.adc_bailout) visit(place, share.texture, share.weight);
+    }
+  }
+}
+
+/// Calls visit(place, index into Scene::textures, share) for the textures that are seen at the places whose bits are
+/// set,
 /// place by place. `scratch`: what it holds is lost. Pre: shows_own_textures().
 template <class Visit>
 void for_each_own_texture(const Scene& scene, const SurfacePlaces& places, std::uint64_t which,
@@ -35,6 +54,7 @@ void for_each_own_texture(const Scene& scene, const SurfacePlaces& places, std::
       visit(share.place, texture, share.weight);
     }
   });
+  for_each_cut_texture(scene, places, which, scratch, visit);
 }
 
 }  // namespace firstlight::render

@@ -43,8 +43,9 @@ TEST(ParseModifiers, UvMappingStandsBeforeTheTexture) {
 
 TEST(ParseModifiers, CutawayTexturesAreOfIntersections) {
   const render::Object object = object_of("difference { sphere { 0, 1 } sphere { x, 1 } cutaway_textures }");
-  EXPECT_TRUE(object.cutaway_textures);
-  EXPECT_EQ(spelled(object.extras->unrendered), "cutaway_textures");
+  EXPECT_TRUE(object.cutaway_textures && object.cuts_away && object.difference);
+  EXPECT_TRUE(
+      object_of("union { intersection { sphere { 0, 1 } sphere { x, 1 } cutaway_textures } box { 0, 1 } }").cuts_away);
 }
 
 TEST(ParseModifiers, PhotonsAreRead) {
