@@ -12,7 +12,7 @@ struct RayBlock : RayColumns {
   std::size_t size = 0;
   Column<double> min_depth;
   Column<double> max_depth;         ///< not beyond min_depth: the ray meets nothing
-  Column<std::int64_t> hidden_bit;  ///< kHiddenFromPrimary, ...Reflection or ...Shadow of its kind; 0: sees everything
+  Column<std::int64_t> hidden_bit;  ///< kHiddenFromPrimary, ...Reflection or ...Shadow of its kind; 0: sees all
 
   /// A bit for each ray.
   std::uint64_t all() const { return size == 0 ? 0 : ~std::uint64_t{0} >> (kRaysAtOnce - size); }

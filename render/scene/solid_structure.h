@@ -14,12 +14,13 @@ namespace firstlight::render {
 constexpr double kNearestBound = 1e-4;
 
 /// Bits of Solid::hidden_from that hide a member of a solid of this kind from a ray.
-/// Source   POV-Ray 3.7: a union asks for no_reflection only (no_image of a member does not hide it from the camera), a
-///          merge asks for both, an intersection for none, and no_shadow counts for whole objects alone.
+/// Source   POV-Ray 3.7: a union asks for no_reflection, and for no_image of what has come through a surface only (of a
+///          member it does not hide it from the camera itself), a merge asks for both, an intersection for none, and
+///          no_shadow counts for whole objects alone.
 inline std::uint8_t hiding_in(Solid::Kind kind, std::uint8_t hidden_bit) {
   switch (kind) {
     case Solid::Kind::union_:
-      return kHiddenFromReflection & hidden_bit;
+      return (hidden_bit & kSentThrough) != 0 ? kHiddenFromPrimary : kHiddenFromReflection & hidden_bit;
     case Solid::Kind::merge:
       return (kHiddenFromPrimary | kHiddenFromReflection) & hidden_bit;
     default:

@@ -19,7 +19,8 @@ constexpr double kFarthestHit = 1e17;
 constexpr double kNegligible = 1e-10;
 
 std::uint8_t hidden_bit(const RayTask& task) {
-  return (task.flags & RayTask::kReflected) != 0 ? kHiddenFromReflection : kHiddenFromPrimary;
+  if ((task.flags & RayTask::kReflected) != 0) return kHiddenFromReflection;
+  return task.kind == RayKind::transmission ? kHiddenFromPrimary | kSentThrough : kHiddenFromPrimary;
 }
 
 }  // namespace
