@@ -18,8 +18,7 @@ namespace firstlight::app {
 namespace {
 
 /// Ends the program when it was asked to stop and does not come to an end by itself soon. While a scene is read there
-/// is
-/// no picture to be lost, and what is long is not only reading: to build a scene, or to free a million objects.
+/// is no picture to be lost, and what is long is not only reading: to build a scene, or to free a million objects.
 class Patience {
  public:
   explicit Patience(const std::atomic<bool>& stop) : thread_([this, &stop] { watch(stop); }) {}

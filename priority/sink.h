@@ -26,8 +26,7 @@ class Sink {
   /// Light will be added to the tasks' samples soon.
   virtual void fetch(std::span<const render::RayTask> /*tasks*/) const {}
   /// The sum over its samples of the most that each may still change, where that is not what the waiting rays may
-  /// bring;
-  /// the sink of some samples that has told it once tells it always. Cost: a look at each sample.
+  /// bring; the sink of some samples that has told it once tells it always. Cost: a look at each sample.
   virtual std::optional<double> outstanding() const { return std::nullopt; }
 };
 

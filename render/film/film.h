@@ -20,10 +20,8 @@ namespace firstlight::render {
 /// Samples  The first of each pixel are numbered along the rows from the top; what lies beyond them is anti-aliasing's.
 /// Order    The sums do not depend on the order or the grouping of add() calls, bit for bit.
 /// Memory   33 bytes a sample; with anti-aliasing up to 21 more a pixel, and 36 for each sample there is room for;
-///          with an
-///          alpha channel 8 more a sample and 4 a pixel. That of the pixels is taken from the system by expect(), the
-///          rest as
-///          it is used.
+///          with an alpha channel 8 more a sample and 4 a pixel. That of the pixels is taken from the system by
+///          expect(), the rest as it is used.
 /// Threads  add(), mark_lit() and all that read may be called from any thread; a reader may see some of a batch's
 ///          contributions and not others. The rest: one thread, while nobody adds.
 class Film {

@@ -14,8 +14,7 @@
 namespace firstlight::render {
 
 /// Finds the colours of places of a picture, many at once: by a sample each, or with focal blur by rounds of samples,
-/// until
-/// each place has enough.
+/// until each place has enough.
 ///
 /// Memory   The film gets room for as many samples as it has pixels, at least 2^18 and at most 2^22; rounds are no
 ///          larger.
@@ -43,8 +42,7 @@ class PlaceSampler {
 
   // ---- Places of the pixels
   /// Lets the places of all pixels, whose first samples are complete, get the rest of theirs. `offset`: of a place in
-  /// its
-  /// pixel. `is_last`: the picture is complete then. Pre: there is blur.
+  /// its pixel. `is_last`: the picture is complete then. Pre: there is blur.
   std::span<const SamplePoint> begin_pixels(double offset, bool is_last);
   /// The colour of a pixel's place. Pre: with blur, more() has come to the end of begin_pixels().
   PixelColor pixel_color(std::uint32_t pixel) const;

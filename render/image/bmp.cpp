@@ -1,6 +1,5 @@
 // Windows' bitmaps, only written here. Source: the structures BITMAPFILEHEADER and BITMAPINFOHEADER; alpha as the
-// fourth
-// byte is read by few programs, POV-Ray among them.
+// fourth byte is read by few programs, POV-Ray among them.
 
 #include "render/image/file_formats.h"
 

@@ -9,10 +9,8 @@
 namespace firstlight::render {
 
 /// Picture files of the kinds that are not at hand in file_formats.h, to bytes and back. It lies in a module of its
-/// own,
-/// opened when the first such picture is read or written: OpenImageIO and the 250 libraries it needs take longer to
-/// load
-/// than many a scene takes to render.
+/// own, opened when the first such picture is read or written: OpenImageIO and the 250 libraries it needs take longer
+/// to load than many a scene takes to render.
 ///
 /// Errors   Nothing is thrown: `error` says why, and the result is empty.
 /// Threads  All members may be called from any thread.

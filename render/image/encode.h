@@ -20,8 +20,7 @@ inline float quantized(float value, float white, float offset = 0.0f) {
 /// How the colour numbers that a scene is computed in become the numbers in a picture file.
 ///
 /// Units    Working numbers: 0 is black, 1 is white, any range. File numbers: 0 to 255 or 65535, on the sRGB curve
-///          unless
-///          with_file_gamma() says otherwise.
+///          unless with_file_gamma() says otherwise.
 /// Source   sRGB: IEC 61966-2-1. Rounding and clipping are POV-Ray 3.7's for files without dithering.
 class Encoding {
  public:

@@ -81,8 +81,7 @@ fs::path temporary_beside(const fs::path& target) {
 }
 
 /// Writes a whole file: `make` has it, part by part. The system's reason when that fails, or make's, else empty.
-/// `is_new`:
-/// the file must not exist yet.
+/// `is_new`: the file must not exist yet.
 template <class Make>
 std::string write_file(const fs::path& path, bool is_new, const Make& make) {
   std::FILE* const file = std::fopen(path.c_str(), is_new ? "wbx" : "wb");

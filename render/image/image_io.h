@@ -32,8 +32,7 @@ std::string write_picture(const std::string& path, const Picture& picture, std::
 /// ppm, bmp.
 std::string write_picture(const std::string& path, const PictureRows& picture, std::string_view format = {});
 /// `light` holds the channels of each pixel, as PictureRows has them but that colours are multiplied by alpha; rows
-/// from the
-/// top. Pre: channels * width * height numbers.
+/// from the top. Pre: channels * width * height numbers.
 std::string write_light(const std::string& path, int width, int height, std::span<const float> light,
                         std::string_view format = {}, int channels = 3);
 /// `rgb` as in Picture. Pre: 3 * width * height bytes.

@@ -15,8 +15,7 @@ struct PictureRows {
   int width = 0;
   int height = 0;
   /// The channels of each pixel of a row, counted from the top; asked for once each, in the order in which they stand
-  /// in the
-  /// file.
+  /// in the file.
   std::function<void(int y, std::span<std::uint8_t> row)> make;
   int channels =
       3;  ///< 1: grey; 2: grey alpha; 3: red green blue; 4: red green blue alpha, colours not multiplied by it

@@ -51,8 +51,7 @@ enum class Palette { resolve, keep };
 void resolve_palette(Raster& raster);
 
 /// Makes a grey picture of 16 bits and half the width of one of a continuous potential, whose right half holds the
-/// lower bytes
-/// of the left half's indices. False where it is none: without a palette or of odd width. [Fractint]
+/// lower bytes of the left half's indices. False where it is none: without a palette or of odd width. [Fractint]
 bool join_potential(Raster& raster);
 
 /// 8 bits a channel; grey becomes colour, what is outside 0 to 1 is clipped. Pre: no palette.

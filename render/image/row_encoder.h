@@ -27,8 +27,7 @@ struct FileNumbers {
 /// Makes the rows of a picture file, in the order in which they stand in it.
 ///
 /// Source  POV-Ray 3.7. Its colours are what is seen in front of black; where they are divided by an alpha that is
-///         smaller
-///         than they are bright, alpha is made larger, so that highlights of clear surfaces are not lost.
+///         smaller than they are bright, alpha is made larger, so that highlights of clear surfaces are not lost.
 class RowEncoder {
  public:
   /// Numbers of fewer bits than their bytes have fill these, and are repeated in the low bits, unless `fills` is false.

@@ -8,8 +8,7 @@ namespace firstlight::render {
 
 /// A place of the picture: its light, and the share of what is behind the scene that shows through. The share is 0 in
 /// pictures without an alpha channel, and alpha is what is left of 1. Light is never multiplied by it: where all
-/// shows through
-/// there is none.
+/// shows through there is none.
 struct PixelColor {
   Rgb light{0.0f, 0.0f, 0.0f};
   float clear = 0.0f;

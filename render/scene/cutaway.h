@@ -25,8 +25,7 @@ struct Cutaway {
 };
 
 /// Appends the textures that are seen at `point`, which is `place`, of a part without one: those of the members that
-/// hold
-/// it, with equal shares. They are numbers into Scene::textures.
+/// hold it, with equal shares. They are numbers into Scene::textures.
 /// Source  POV-Ray 3.7: of combinations within a difference the shares are their own, of those within others they are
 ///         not.
 void add_cut_textures(const Scene& scene, std::uint32_t cutaway, const Vec3& point, std::uint32_t place,

@@ -14,10 +14,8 @@ namespace firstlight::render {
 /// The light of rays that meet nothing: the pigments of the sky sphere, and the background behind them.
 ///
 /// Source   POV-Ray 3.7 manual, "Sky Sphere" and "Background". The pigments are the layers of a texture that shines,
-///          the
-///          last one topmost; before language version 3.7 the tints of all layers were multiplied with each other,
-///          and so
-///          were their filters.
+///          the last one topmost; before language version 3.7 the tints of all layers were multiplied with each other,
+///          and so were their filters.
 /// Threads  Immutable.
 class Sky {
  public:
@@ -33,8 +31,7 @@ class Sky {
   void colors(const Columns3<double>& directions, std::size_t count, const Rgb& background,
               Columns3<float>& colors) const;
   /// The same in front of the background of a picture with an alpha channel, and what shows through both. Before
-  /// language
-  /// version 3.7 that was all, and the sky was seen in mirrors only.
+  /// language version 3.7 that was all, and the sky was seen in mirrors only.
   void colors_with_alpha(const Columns3<double>& directions, std::size_t count, Columns3<float>& colors,
                          Column<float>& clear) const;
 

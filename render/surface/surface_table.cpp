@@ -13,8 +13,8 @@ namespace {
 double positive(double amount) { return amount > 0.0 ? amount : 0.0; }
 
 /// Number of the texture that a material_map of `count` has at a point: by the pixel's place in its palette, or how
-/// red it
-/// is, of 255. Numbers above the count begin again; the count itself is the last. Beside the picture it is the first.
+/// red it is, of 255. Numbers above the count begin again; the count itself is the last. Beside the picture it is the
+/// first.
 /// [POV-Ray 3.7]
 std::uint32_t material_at(const ImageMap& image, const Vec3& point, std::uint32_t count) {
   const auto place = image.place(point);

@@ -180,8 +180,7 @@ void Stepper::wear_own_textures() {
 }
 
 // In the order of textures' numbers, and each with its coats in the order of its maps, so that what is added up for a
-// hit
-// does not depend on the other hits of the block.
+// hit does not depend on the other hits of the block.
 void Stepper::meet_uneven() {
   std::ranges::stable_sort(uneven_, {}, &Uneven::texture);
   std::uint64_t by_uv = 0;

@@ -98,8 +98,7 @@ class RayTask {
                                 (radiance_.red & kLowBits) << 8);
   }
   /// Each component and `adc_weight` are kept to 16 significant bits: the weight is rounded to the nearest,
-  /// `adc_weight`
-  /// upwards, so that a ray which just reaches a bailout of few digits is traced.
+  /// `adc_weight` upwards, so that a ray which just reaches a bailout of few digits is traced.
   void set_weight(const Rgb& weight, float adc_weight) {
     const std::uint32_t adc = std::bit_cast<std::uint32_t>(adc_weight) + kLowBits;
     radiance_.red = rounded(weight.x) | (adc >> 8 & kLowBits);

@@ -38,8 +38,7 @@ void for_each_cut_texture(const Scene& scene, const SurfacePlaces& places, std::
 }
 
 /// Calls visit(place, index into Scene::textures, share) for the textures that are seen at the places whose bits are
-/// set,
-/// place by place. `scratch`: what it holds is lost. Pre: shows_own_textures().
+/// set, place by place. `scratch`: what it holds is lost. Pre: shows_own_textures().
 template <class Visit>
 void for_each_own_texture(const Scene& scene, const SurfacePlaces& places, std::uint64_t which,
                           std::vector<TextureShare>& scratch, const Visit& visit) {

@@ -36,7 +36,8 @@ TEST(ParseIsosurface, DefaultsArePovRays) {
 
 TEST(ParseIsosurface, AllItsWordsAreRead) {
   const std::string text =
-      "#declare F = function (x, y, z) { abs(x)*y } isosurface { function { 10*F(x, 1, z) - 1 } contained_by { sphere { y, 3 "
+      "#declare F = function (x, y, z) { abs(x)*y } isosurface { function { 10*F(x, 1, z) - 1 } contained_by { sphere "
+      "{ y, 3 "
       "} } threshold 4 accuracy 0.0001 max_gradient 10 evaluate 1, 1.2, 0.9 open ";
   EXPECT_EQ(object_of(text + "}").shape->bounds(), render::Box3(Vec3(-3, -2, -3), Vec3(3, 4, 3)));
   EXPECT_EQ(depths(text + "max_trace 1 }", kAlongX).size(), 1u);
@@ -62,7 +63,8 @@ TEST(ParseIsosurface, ValuesWithoutSenseBecomeTheDefault) {
 
 TEST(ParseParametric, TakesThreeFunctionsAndARange) {
   const render::Object object = object_of(
-      "parametric { function { u }, function { v + 1 } function { u*v } <2, 1>, <-2, -1> contained_by { box { -3, 3 } } "
+      "parametric { function { u }, function { v + 1 } function { u*v } <2, 1>, <-2, -1> contained_by { box { -3, 3 } "
+      "} "
       "accuracy 0.01 max_gradient 3 precompute 9, x, z }");
   EXPECT_TRUE(object.patch);
   EXPECT_EQ(object.shape->bounds(), render::Box3(Vec3(-3), Vec3(3)));
