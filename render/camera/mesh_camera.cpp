@@ -71,14 +71,17 @@ class UvFinder {
       }
       boxes.push_back(box);
     }
-    tree_ = RayTree(boxes);
+    tree_ = RayTree(boxes, kMostInLeaf);
   }
 
   /// The first such face.
   std::optional<Found> at(double u, double v) const {
+    thread_local std::vector<RayTree::Found> near;
+    near.clear();
+    tree_.find(Ray{{u, v, -2.0}, {0.0, 0.0, 1.0}}, kThroughAll, near);
     std::optional<Found> first;
-    tree_.walk(Ray{{u, v, -2.0}, {0.0, 0.0, 1.0}}, kThroughAll, [&](std::uint32_t seat) {
-      if (first && first->seat < seat) return;
+    for (const auto& [ray, seat] : near) {
+      if (first && first->seat < seat) continue;
       const auto [a, b, c] = seats_.uv(seat);
       const auto area = [](double x1, double y1, double x2, double y2) { return x1 * y2 - x2 * y1; };
       const double whole = area(b.x - a.x, b.y - a.y, c.x - a.x, c.y - a.y);
@@ -86,12 +89,13 @@ class UvFinder {
                                           area(c.x - u, c.y - v, a.x - u, a.y - v) / whole,
                                           area(a.x - u, a.y - v, b.x - u, b.y - v) / whole};
       if (weights[0] >= 0.0 && weights[1] >= 0.0 && weights[2] >= 0.0) first = Found{seat, weights};
-    });
+    }
     return first;
   }
 
  private:
   static constexpr double kThroughAll = 4.0;
+  static constexpr std::size_t kMostInLeaf = 2;
 
   const Seats& seats_;
   RayTree tree_;

@@ -3,6 +3,7 @@
 #include "render/math/interrupt.h"
 #include "render/math/ray_tree.h"
 #include "render/math/transform.h"
+#include "render/shape/slots.h"
 #include "render/shape/tolerance.h"
 
 #include <algorithm>
@@ -22,6 +23,7 @@ constexpr double kNearest = 1e-5;  ///< POV-Ray's for this shape
 constexpr int kMostSteps = 20;
 /// Up to so many halvings each way the pieces are made beforehand; where that is not enough, the rest when a ray comes.
 constexpr int kMostStepsBefore = 6;
+constexpr std::size_t kMostInLeaf = 1;  ///< pieces are met one by one
 
 Vec3 half(const Vec3& a, const Vec3& b) { return (a + b) * 0.5; }
 
@@ -175,21 +177,30 @@ class BicubicPatch final : public Shape {
           }
         });
     boxes.insert(boxes.end(), unfinished_boxes.begin(), unfinished_boxes.end());
-    tree_ = RayTree(boxes);
+    tree_ = RayTree(boxes, kMostInLeaf);
   }
 
-  void crossings(const Ray& ray, std::vector<Crossing>& out) const override {
-    tree_.walk(ray, std::numeric_limits<double>::infinity(), [&](std::uint32_t place) { meet(place, ray, out); });
+  void crossings(const Ray& ray, std::vector<Crossing>& out) const override { meet(ray, kBoundless, out); }
+  void nearest(const Ray& ray, double, double high, std::vector<Crossing>& out) const override { meet(ray, high, out); }
+  void meet_block(const RayColumns& rays, std::uint64_t who, const DepthWindow* nearest_only,
+                  Slots& slots) const override {
+    Column<double> boundless;
+    boundless.at.fill(kBoundless);
+    std::vector<RayTree::Found>& found = found_of_thread();
+    tree_.find(rays, who, nearest_only ? nearest_only->high : boundless, found);
+    std::ranges::stable_sort(found, {}, &RayTree::Found::ray);
+    thread_local std::vector<Crossing> list;
+    SlotLists lists(*this, slots, true);
+    for (auto next = found.begin(); next != found.end();) {
+      const std::size_t i = next->ray;
+      const Ray ray = rays.ray(i);
+      list.clear();
+      for (; next != found.end() && next->ray == i; ++next) meet(next->box, ray, list);
+      for (const Crossing& crossing : list) lists.add(i, crossing.depth, crossing.face, crossing.place);
+      if (slots.overflowed()) return;
+    }
   }
-  void nearest(const Ray& ray, double low, double high, std::vector<Crossing>& out) const override {
-    std::size_t seen = out.size();
-    tree_.walk(ray, high, [&](std::uint32_t place) {
-      meet(place, ray, out);
-      for (; seen < out.size(); ++seen) {
-        if (out[seen].depth > low) high = std::min(high, out[seen].depth);
-      }
-    });
-  }
+  bool is_over_lanes() const override { return true; }
   bool inside(const Vec3&) const override { return false; }
   /// Interpolated between those of the corners of the triangle that was met.
   Vec3 normal(const Vec3&, const Crossing& crossing) const override {
@@ -275,6 +286,16 @@ class BicubicPatch final : public Shape {
       }
     }
     return piece;
+  }
+  static std::vector<RayTree::Found>& found_of_thread() {
+    thread_local std::vector<RayTree::Found> found;
+    found.clear();
+    return found;
+  }
+  void meet(const Ray& ray, double high, std::vector<Crossing>& out) const {
+    std::vector<RayTree::Found>& found = found_of_thread();
+    tree_.find(ray, high, found);
+    for (const auto& [number, place] : found) meet(place, ray, out);
   }
   /// Meets the leaf or the unfinished piece at a place of the tree.
   void meet(std::uint32_t place, const Ray& ray, std::vector<Crossing>& out) const {

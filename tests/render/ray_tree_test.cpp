@@ -15,12 +15,14 @@ TEST(RayTree, VisitsEveryBoxThatARayMeets) {
     boxes.emplace_back(corner, corner + Vec3(0.3, i % 7 == 0 ? 0.0 : 0.4, 0.2));
   }
   for (int i = 0; i < 20; ++i) boxes.push_back(boxes[0]);
-  const RayTree tree(boxes);
+  const RayTree tree(boxes, 3);
   for (int i = 0; i < 500; ++i) {
     Ray ray = rain.next();
     if (i % 5 == 0) ray.direction = Vec3(0, i % 2 == 0 ? 1 : -1, 0);
+    std::vector<RayTree::Found> all;
+    tree.find(ray, kBoundless, all);
     std::multiset<std::uint32_t> found;
-    tree.walk(ray, kBoundless, [&](std::uint32_t box) { found.insert(box); });
+    for (const RayTree::Found& one : all) found.insert(one.box);
     for (std::uint32_t box = 0; box < boxes.size(); ++box) {
       ASSERT_LE(found.count(box), 1u);
       ASSERT_TRUE(found.count(box) == 1 || !meets(ray, boxes[box]));
@@ -30,7 +32,9 @@ TEST(RayTree, VisitsEveryBoxThatARayMeets) {
 }
 
 TEST(RayTree, OfNothingVisitsNothing) {
-  RayTree().walk({Vec3(0.0), Vec3(1, 0, 0)}, kBoundless, [](std::uint32_t) { FAIL(); });
+  std::vector<RayTree::Found> found;
+  RayTree().find({Vec3(0.0), Vec3(1, 0, 0)}, kBoundless, found);
+  EXPECT_TRUE(found.empty());
 }
 
 }  // namespace
