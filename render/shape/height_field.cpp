@@ -2,239 +2,281 @@
 
 #include "render/math/transform.h"
 #include "render/shape/box.h"
+#include "render/shape/land.h"
+#include "render/shape/slots.h"
 #include "render/shape/tolerance.h"
 
-#include <algorithm>
-#include <array>
-#include <cmath>
+#undef HWY_TARGET_INCLUDE
+#define HWY_TARGET_INCLUDE "render/shape/height_field.cpp"
+#include <hwy/foreach_target.h>
+
+#include "render/shape/box-inl.h"
+#include "render/shape/lane_shape-inl.h"
+
 #include <cstddef>
 #include <memory>
 #include <utility>
 
+HWY_BEFORE_NAMESPACE();
 namespace firstlight::render {
-namespace {
+namespace HWY_NAMESPACE {
 
-constexpr double kFull = 65536.0;
-constexpr double kRoom = 0.001;          ///< POV-Ray's box is so much higher than the land, in its own space
-constexpr double kNearest = 1e-6;        ///< POV-Ray's for this shape
-constexpr double kTriangleRoom = 1e-4;   ///< so far beyond its sides a triangle is met
-constexpr int kBlock = 16;               ///< cells along a side of those that are passed over together
+constexpr double kNearest = 1e-6;       ///< POV-Ray's for this shape
+constexpr double kTriangleRoom = 1e-4;  ///< so far beyond its sides a triangle is met
+constexpr double kShrink = Land::kShrink;
+/// Smaller blocks than this are tested with a little more of a ray than there is in them, as cells are: a triangle is
+/// met a little beyond its sides.
+constexpr double kExactSize = 16.0;
 
-/// Visits the squares of a grid that a ray passes between two depths, in order.
-/// visit(x, z, enters, leaves) returns false to end. `size`: of a square.
-template <class Visit>
-void walk_grid(const Ray& ray, double enters, double leaves, double size, int columns, int rows, const Visit& visit) {
-  struct Axis {
-    double origin;
-    double direction;
-    int count;
-    int at;
+/// The part of rays within the box of a land.
+template <class L>
+struct WithinBox {
+  MaskOf<L> any;
+  L enters, leaves;
+};
+template <class L>
+struct BoxSink {
+  WithinBox<L>& within;
 
-    /// Depth of the border that is passed next.
-    double next(double of_size) const {
-      if (direction == 0.0) return kBoundless;
-      return ((at + (direction > 0.0 ? 1 : 0)) * of_size - origin) / direction;
+  HWY_INLINE void operator()(std::size_t k, const L& depth, const MaskOf<L>& met, const L&) const {
+    if (k == 0) {
+      within.enters = select(met, max(depth, L(kNearest)), L(kNearest));
+    } else {
+      within.leaves = depth;
+      within.any = met;
     }
-  };
-  const Vec3 start = ray.at(enters);
-  const auto square_of = [size](double place, int count) {
-    return std::clamp(static_cast<int>(std::floor(place / size)), 0, count - 1);
-  };
-  Axis x{ray.origin.x, ray.direction.x, columns, square_of(start.x, columns)};
-  Axis z{ray.origin.z, ray.direction.z, rows, square_of(start.z, rows)};
-  double from = enters;
+  }
+};
+
+/// One axis of the grid along rays.
+template <class L>
+struct GridAxis {
+  L origin, direction, inverse;
+  L endless;     ///< kBoundless where rays never come to a border
+  L forward;     ///< 1 where rays go up along the axis, else 0
+  L step;        ///< likewise, else -1
+  double cells;  ///< how many there are
+};
+template <class L>
+HWY_INLINE GridAxis<L> grid_axis(const L& origin, const L& direction, int cells) {
+  const auto still = direction == 0.0, upwards = direction > 0.0;
+  return {origin,
+          direction,
+          select(still, L(0.0), 1.0 / direction),
+          select(still, L(kBoundless), L(0.0)),
+          select(upwards, L(1.0), L(0.0)),
+          select(upwards, L(1.0), L(-1.0)),
+          static_cast<double>(cells)};
+}
+/// Depth of the border of block `at` that is passed next.
+template <class L>
+HWY_INLINE L next_border(const GridAxis<L>& axis, const L& at, const L& size) {
+  return ((at + axis.forward) * size - axis.origin) * axis.inverse + axis.endless;
+}
+/// Which part of block `whole` rays are in at a depth, of parts of a size, each one of `per_cell` a cell.
+template <class L>
+HWY_INLINE L part_at(const GridAxis<L>& axis, const L& depth, const L& whole, const L& per_cell) {
+  const L first = whole * kShrink;
+  const L last = min(first + (kShrink - 1.0), floor((axis.cells - 1.0) * per_cell));
+  return min(max(floor((axis.origin + depth * axis.direction) * per_cell), first), last);
+}
+
+/// Rays on their way over a land, each at a block of some level: down into a block whose heights it passes between,
+/// else on to the next; and up when that is in another one of the level above.
+template <class L>
+struct LandWalk {
+  const Land& land;
+  RayOf<L> ray;
+  GridAxis<L> x_axis, z_axis;
+  L leaves;
+  MaskOf<L> going;
+  L x, z, size, level;
+  L from, to;  ///< depths between which a ray is in its block; `to` is known at cells
+};
+
+/// The heights of each ray's block. A ray that has left the land goes no farther.
+template <class L>
+HWY_INLINE void look_up(LandWalk<L>& walk, const MaskOf<L>& who, L& low, L& high) {
+  double x[L::kCount], z[L::kCount], level[L::kCount], lows[L::kCount] = {}, highs[L::kCount] = {};
+  walk.x.store(x);
+  walk.z.store(z);
+  walk.level.store(level);
+  unsigned gone = 0;
+  for (unsigned left = bits(who); left != 0; left &= left - 1) {
+    const auto i = static_cast<std::size_t>(__builtin_ctz(left));
+    const Land::Level& blocks = walk.land.levels()[static_cast<std::size_t>(level[i])];
+    if (x[i] >= 0.0 && z[i] >= 0.0 && x[i] < blocks.columns && z[i] < blocks.rows) {
+      const Land::Span& span = blocks.at(static_cast<int>(x[i]), static_cast<int>(z[i]));
+      lows[i] = span.low;
+      highs[i] = span.high;
+    } else {
+      gone |= 1u << i;
+    }
+  }
+  low = L::load(lows);
+  high = L::load(highs);
+  walk.going = without(walk.going, L::mask_of(gone));
+}
+
+/// On from their blocks, which they leave at `next_x` or `next_z`.
+template <class L>
+HWY_INLINE void go_on(LandWalk<L>& walk, const MaskOf<L>& who, const L& next_x, const L& next_z) {
+  const auto to = min(min(next_x, next_z), walk.leaves);
+  const auto over_x = next_x <= next_z;
+  const L x = select(over_x, walk.x + walk.x_axis.step, walk.x);
+  const L z = select(over_x, walk.z, walk.z + walk.z_axis.step);
+  const L whole_x = floor(x * (1.0 / kShrink)), whole_z = floor(z * (1.0 / kShrink));
+  const auto out = (whole_x != floor(walk.x * (1.0 / kShrink))) | (whole_z != floor(walk.z * (1.0 / kShrink)));
+  const auto ended = (to >= walk.leaves) | (walk.level >= static_cast<double>(walk.land.levels().size() - 1));
+  walk.going = without(walk.going, who & ended);
+  const auto moving = without(who, ended), rising = moving & out;
+  walk.x = select(rising, whole_x, select(moving, x, walk.x));
+  walk.z = select(rising, whole_z, select(moving, z, walk.z));
+  walk.size = select(rising, walk.size * kShrink, walk.size);
+  walk.level = select(rising, walk.level + 1.0, walk.level);
+  walk.from = select(moving, to, walk.from);
+}
+
+/// Into the part of their blocks where they are.
+template <class L>
+HWY_INLINE void go_down(LandWalk<L>& walk, const MaskOf<L>& who) {
+  const L size = walk.size * (1.0 / kShrink);
+  const L per_cell = 1.0 / size;
+  walk.x = select(who, part_at(walk.x_axis, walk.from, walk.x, per_cell), walk.x);
+  walk.z = select(who, part_at(walk.z_axis, walk.from, walk.z, per_cell), walk.z);
+  walk.size = select(who, size, walk.size);
+  walk.level = select(who, walk.level - 1.0, walk.level);
+}
+
+/// Goes on until each ray has come to a cell whose heights it passes between, or to its end. Returns those at a cell.
+template <class L>
+HWY_INLINE MaskOf<L> find_cells(LandWalk<L>& walk) {
+  auto found = L::first(0);
   for (;;) {
-    const double next_x = x.next(size);
-    const double next_z = z.next(size);
-    const double to = std::min({next_x, next_z, leaves});
-    if (!visit(x.at, z.at, from, to)) return;
-    if (to >= leaves) return;
-    Axis& crossed = next_x <= next_z ? x : z;
-    crossed.at += crossed.direction > 0.0 ? 1 : -1;
-    if (crossed.at < 0 || crossed.at >= crossed.count) return;
-    from = to;
+    const auto open = without(walk.going, found);
+    if (!any(open)) return found & walk.going;
+    L low, high;
+    look_up(walk, open, low, high);
+    const L next_x = next_border(walk.x_axis, walk.x, walk.size), next_z = next_border(walk.z_axis, walk.z, walk.size);
+    const L to = min(min(next_x, next_z), walk.leaves);
+    const L more = select(walk.size < kExactSize, kTriangleRoom * (to - walk.from) + kNearest, L(0.0));
+    const L& y = walk.ray.origin.y;
+    const L& slope = walk.ray.direction.y;
+    const L first = y + (walk.from - more) * slope, last = y + (to + more) * slope;
+    const auto passing = (max(first, last) >= low - Land::kRoom) & (min(first, last) <= high + Land::kRoom);
+    const auto there = open & passing & (walk.level == 0.0);
+    walk.to = select(there, to, walk.to);
+    found = found | there;
+    const auto down = without(open & passing, there);
+    go_on(walk, without(open, passing) & walk.going, next_x, next_z);
+    if (any(down)) go_down(walk, down);
   }
 }
 
-/// The land in a space where points of the grid are 1 apart and heights are as they are given.
-class Land {
- public:
-  explicit Land(HeightFieldParameters parameters) : given_(std::move(parameters)) {
-    const auto [low, high] = std::ranges::minmax(given_.heights);
-    low_ = std::max(static_cast<double>(low), given_.water_level * kFull) - kRoom;
-    high_ = static_cast<double>(high) + kRoom;
-    make_blocks();
-    if (given_.smooth) make_normals();
-  }
-
-  bool is_smooth() const { return given_.smooth; }
-  Box3 box() const { return Box3(Vec3(0.0, low_, 0.0), Vec3(given_.columns - 1.0, high_, given_.rows - 1.0)); }
-  Transform to_unit() const {
-    return Transform::scaling(Vec3(1.0 / (given_.columns - 1.0), 1.0 / kFull, 1.0 / (given_.rows - 1.0)));
-  }
-
-  /// Calls add(depth, face), which returns whether to go on, in about the order of depths.
-  template <class Add>
-  void meet(const Ray& ray, const Add& add) const {
-    BoxMet met;
-    const Box3 around = box();
-    AxisBox{around.min, around.max}.meet(ray, met);
-    if (met.count == 0) return;
-    const double leaves = met.depth[met.count - 1];
-    const double enters = std::max(met.count == 2 ? met.depth[0] : kNearest, kNearest);
-    if (enters > leaves) return;
-    const int columns = given_.columns - 1;
-    const int rows = given_.rows - 1;
-    bool goes_on = true;
-    walk_grid(ray, enters, leaves, kBlock, block_columns_, block_rows_, [&](int bx, int bz, double from, double to) {
-      const Block& block = blocks_[static_cast<std::size_t>(bz) * static_cast<std::size_t>(block_columns_) +
-                                   static_cast<std::size_t>(bx)];
-      if (!passes(ray, from, to, block.low, block.high)) return true;
-      walk_grid(ray, from, to, 1.0, columns, rows, [&](int x, int z, double near, double far) {
-        goes_on = meet_cell(ray, x, z, near, far, enters, leaves, add);
-        return goes_on;
-      });
-      return goes_on;
-    });
-  }
-
-  bool holds(const Vec3& p) const {
-    if (p.x < 0.0 || p.x >= given_.columns - 1.0 || p.z < 0.0 || p.z >= given_.rows - 1.0 || p.y >= high_) return false;
-    if (p.y < low_) return true;
-    int x = static_cast<int>(p.x);
-    int z = static_cast<int>(p.z);
-    const auto land = [&](int at_x, int at_z) { return std::max(height(at_x, at_z), low_); };
-    Vec3 normal;
-    if ((p.x - x) + (p.z - z) < 1.0) {
-      normal = Vec3(land(x, z) - land(x + 1, z), 1.0, land(x, z) - land(x, z + 1));
-    } else {
-      x = static_cast<int>(std::ceil(p.x));
-      z = static_cast<int>(std::ceil(p.z));
-      normal = Vec3(land(x - 1, z) - land(x, z), 1.0, land(x, z - 1) - land(x, z));
-    }
-    return p.dot(normal) < Vec3(x, land(x, z), z).dot(normal);
-  }
-
-  /// The normal of the triangle that was met.
-  Vec3 flat_normal(std::uint32_t face) const {
-    const auto cell = static_cast<int>(face / 2);
-    const int x = cell % (given_.columns - 1);
-    const int z = cell / (given_.columns - 1);
-    return triangle_normal(x, z, face % 2 != 0);
-  }
-  /// Calls take(normal, weight) for the corners of the cell around a point.
-  template <class Take>
-  void smooth_normals(const Vec3& p, const Take& take) const {
-    const int x = std::clamp(static_cast<int>(p.x), 0, given_.columns - 2);
-    const int z = std::clamp(static_cast<int>(p.z), 0, given_.rows - 2);
-    const double u = p.x - x;
-    const double v = p.z - z;
-    take(Vec3(normals_[index(x, z)]), (1.0 - v) * (1.0 - u));
-    take(Vec3(normals_[index(x + 1, z)]), (1.0 - v) * u);
-    take(Vec3(normals_[index(x, z + 1)]), v * (1.0 - u));
-    take(Vec3(normals_[index(x + 1, z + 1)]), v * u);
-  }
-
- private:
-  struct Block {
-    double low;
-    double high;
-  };
-  using Short3 = Imath::Vec3<short>;
-
-  std::size_t index(int x, int z) const {
-    return static_cast<std::size_t>(z) * static_cast<std::size_t>(given_.columns) + static_cast<std::size_t>(x);
-  }
-  double height(int x, int z) const { return given_.heights[index(x, z)]; }
-  static bool passes(const Ray& ray, double from, double to, double low, double high) {
-    const double a = ray.origin.y + from * ray.direction.y;
-    const double b = ray.origin.y + to * ray.direction.y;
-    return std::max(a, b) >= low - kRoom && std::min(a, b) <= high + kRoom;
-  }
-  Vec3 triangle_normal(int x, int z, bool far) const {
-    if (far) return Vec3(height(x, z + 1) - height(x + 1, z + 1), 1.0, height(x + 1, z) - height(x + 1, z + 1));
-    return Vec3(height(x, z) - height(x + 1, z), 1.0, height(x, z) - height(x, z + 1));
-  }
-
-  template <class Add>
-  bool meet_cell(const Ray& ray, int x, int z, double near, double far, double enters, double leaves,
-                 const Add& add) const {
-    const std::array<double, 4> y = {height(x, z), height(x + 1, z), height(x, z + 1), height(x + 1, z + 1)};
-    const auto [low, high] = std::ranges::minmax(y);
-    // A little more than the ray has of the cell, for a triangle is met a little beyond its sides.
-    const double more = kTriangleRoom * (far - near) + kNearest;
-    if (!passes(ray, near - more, far + more, low, high)) return true;
-    bool goes_on = true;
-    for (const bool is_far : {false, true}) {
-      const Vec3 normal = triangle_normal(x, z, is_far);
-      const double approach = normal.dot(ray.direction);
-      if (std::abs(approach) <= kEpsilon) continue;
-      const Vec3 corner = is_far ? Vec3(x + 1.0, y[3], z + 1.0) : Vec3(x, y[0], z);
-      const double depth = normal.dot(corner - ray.origin) / approach;
-      if (!(depth >= enters && depth <= leaves)) continue;
-      const double s = ray.origin.x + depth * ray.direction.x - x;
-      const double t = ray.origin.z + depth * ray.direction.z - z;
-      const bool is_in = is_far ? s <= 1.0 + kTriangleRoom && t <= 1.0 + kTriangleRoom && s + t >= 1.0 - kTriangleRoom
-                                : s >= -kTriangleRoom && t >= -kTriangleRoom && s + t <= 1.0 + kTriangleRoom;
-      if (!is_in) continue;
-      const auto cell = static_cast<std::uint32_t>(z * (given_.columns - 1) + x);
-      goes_on = add(depth, 2 * cell + (is_far ? 1 : 0)) && goes_on;
-    }
-    return goes_on;
-  }
-
-  void make_blocks() {
-    block_columns_ = (given_.columns - 2) / kBlock + 1;
-    block_rows_ = (given_.rows - 2) / kBlock + 1;
-    for (int bz = 0; bz < block_rows_; ++bz) {
-      for (int bx = 0; bx < block_columns_; ++bx) {
-        Block block{kFull, 0.0};
-        for (int z = bz * kBlock; z <= std::min((bz + 1) * kBlock, given_.rows - 1); ++z) {
-          for (int x = bx * kBlock; x <= std::min((bx + 1) * kBlock, given_.columns - 1); ++x) {
-            block.low = std::min(block.low, height(x, z));
-            block.high = std::max(block.high, height(x, z));
-          }
-        }
-        blocks_.push_back(block);
-      }
+/// Calls met(lane, depth, face) for the triangles of the cells where rays are; it returns whether the ray goes on.
+template <class L, class Met>
+HWY_INLINE void meet_triangles(LandWalk<L>& walk, const MaskOf<L>& who, const L& enters, const Met& met) {
+  const auto& [o, d] = walk.ray;
+  double x[L::kCount], z[L::kCount], heights[4][L::kCount] = {};
+  walk.x.store(x);
+  walk.z.store(z);
+  for (unsigned left = bits(who); left != 0; left &= left - 1) {
+    const auto i = static_cast<std::size_t>(__builtin_ctz(left));
+    const auto column = static_cast<int>(x[i]), row = static_cast<int>(z[i]);
+    for (int k = 0; k < 4; ++k) {
+      heights[k][i] = walk.land.height(column + (k & 1), row + (k >> 1));
     }
   }
-
-  /// The mean of those of the triangles around, kept in 16 bits. [POV-Ray 3.7]
-  void make_normals() {
-    normals_.reserve(given_.heights.size());
-    for (int z = 0; z < given_.rows; ++z) {
-      for (int x = 0; x < given_.columns; ++x) {
-        Vec3 sum(0.0);
-        const auto is_there = [&](int at_x, int at_z) {
-          return at_x >= 0 && at_z >= 0 && at_x < given_.columns && at_z < given_.rows;
-        };
-        const auto add = [&](int x1, int z1, int x2, int z2) {
-          if (!is_there(x1, z1) || !is_there(x2, z2)) return;
-          const Vec3 here(x, height(x, z), z);
-          Vec3 n = (Vec3(x2, height(x2, z2), z2) - here).cross(Vec3(x1, height(x1, z1), z1) - here);
-          n = n.length() > kEpsilon ? n / n.length() : Vec3(0.0, 1.0, 0.0);
-          sum += n.y < 0.0 ? -n : n;
-        };
-        add(x + 1, z, x, z + 1);
-        add(x, z + 1, x - 1, z);
-        add(x - 1, z, x, z - 1);
-        add(x, z - 1, x + 1, z);
-        sum = sum.length() > kEpsilon ? sum / sum.length() : Vec3(0.0, 1.0, 0.0);
-        normals_.emplace_back(static_cast<short>(32767 * sum.x), static_cast<short>(32767 * sum.y),
-                              static_cast<short>(32767 * sum.z));
-      }
+  const L y[4] = {L::load(heights[0]), L::load(heights[1]), L::load(heights[2]), L::load(heights[3])};
+  unsigned ended = 0;
+  for (const bool is_far : {false, true}) {
+    const Vec3Of<L> normal{is_far ? y[2] - y[3] : y[0] - y[1], 1.0, is_far ? y[1] - y[3] : y[0] - y[2]};
+    const Vec3Of<L> corner{is_far ? walk.x + 1.0 : walk.x, is_far ? y[3] : y[0], is_far ? walk.z + 1.0 : walk.z};
+    const L approach = dot(normal, d);
+    const L depth = dot(normal, corner - o) / approach;
+    const auto counts = (abs(approach) > kEpsilon) & (depth >= enters) & (depth <= walk.leaves);
+    const L s = o.x + depth * d.x - walk.x, t = o.z + depth * d.z - walk.z;
+    const auto is_in = is_far ? (s <= 1.0 + kTriangleRoom) & (t <= 1.0 + kTriangleRoom) & (s + t >= 1.0 - kTriangleRoom)
+                              : (s >= -kTriangleRoom) & (t >= -kTriangleRoom) & (s + t <= 1.0 + kTriangleRoom);
+    double depths[L::kCount];
+    depth.store(depths);
+    for (unsigned left = bits(who & counts & is_in); left != 0; left &= left - 1) {
+      const auto i = static_cast<std::size_t>(__builtin_ctz(left));
+      const std::uint32_t face = walk.land.face(static_cast<int>(x[i]), static_cast<int>(z[i]), is_far);
+      if (!met(i, depths[i], face)) ended |= 1u << i;
     }
   }
+  walk.going = without(walk.going, L::mask_of(ended));
+}
 
-  HeightFieldParameters given_;
-  double low_;
-  double high_;
-  std::vector<Block> blocks_;
-  int block_columns_ = 0;
-  int block_rows_ = 0;
-  std::vector<Short3> normals_;
-};
+/// Calls met(lane, depth, face), which returns whether that ray is to go on, for each crossing up to `high` of the rays
+/// in `who`, in about the order of depths.
+template <class L, class Met>
+HWY_INLINE void meet(const Land& land, const RayOf<L>& ray, const MaskOf<L>& who, const L& high, const Met& met) {
+  const Box3 around = land.box();
+  WithinBox<L> within{L::first(0), L(kNearest), L(0.0)};
+  meet(AxisBox{around.min, around.max}, ray, BoxSink<L>{within});
+  const L leaves = min(within.leaves, high);
+  const auto going = who & within.any & (within.enters <= leaves);
+  if (!any(going)) return;
+  const Land::Level& cells = land.levels().front();
+  const auto top = static_cast<double>(land.levels().size() - 1);
+  double size = 1.0;
+  for (std::size_t level = 1; level < land.levels().size(); ++level) size *= kShrink;
+  LandWalk<L> walk{land,
+                   ray,
+                   grid_axis(ray.origin.x, ray.direction.x, cells.columns),
+                   grid_axis(ray.origin.z, ray.direction.z, cells.rows),
+                   leaves,
+                   going,
+                   L(0.0),
+                   L(0.0),
+                   L(size),
+                   L(top),
+                   within.enters,
+                   leaves};
+  for (;;) {
+    const auto at_cells = find_cells(walk);
+    if (!any(at_cells)) return;
+    meet_triangles(walk, at_cells, within.enters, met);
+    go_on(walk, at_cells & walk.going, next_border(walk.x_axis, walk.x, walk.size),
+          next_border(walk.z_axis, walk.z, walk.size));
+  }
+}
+
+void meet_land_in_block(const Land& land, const RaysAndPlace& asked, Slots& slots) {
+  SlotLists lists(asked.shape, slots, true);
+  const DepthWindow* window = asked.nearest_only;
+  for_each_vector(asked, [&](const RayOf<Lanes>& ray, std::size_t i, std::uint64_t of_vector) HWY_ATTR {
+    const Lanes high = window ? load<Lanes>(window->high, i) : Lanes(kBoundless);
+    meet(land, ray, Lanes::mask_of(static_cast<unsigned>(of_vector)), high,
+         [&](std::size_t lane, double depth, std::uint32_t face) {
+           lists.add(i + lane, depth, face, {});
+           return !slots.overflowed() && (window == nullptr || !(depth > window->low[i + lane]));
+         });
+  });
+}
+
+/// Appends the crossings of one ray, in the land's own space. Those behind one beyond `low` are not looked for.
+void meet_land(const Land& land, const Ray& ray, double low, double high, const Shape& shape,
+               std::vector<Crossing>& out) {
+  const RayOf<One> one{everywhere<One>(ray.origin), everywhere<One>(ray.direction)};
+  meet(land, one, One::first(1), One(high), [&](std::size_t, double depth, std::uint32_t face) {
+    out.push_back({depth, &shape, 0, face, {}});
+    return !(depth > low);
+  });
+}
+
+}  // namespace HWY_NAMESPACE
+}  // namespace firstlight::render
+HWY_AFTER_NAMESPACE();
+
+#if HWY_ONCE
+namespace firstlight::render {
+
+HWY_EXPORT(meet_land_in_block);
+
+namespace {
 
 /// A landscape where it stands.
 class HeightField final : public Shape {
@@ -243,11 +285,16 @@ class HeightField final : public Shape {
       : land_(std::move(land)), transform_(std::move(transform)), inverted_(inverted) {}
 
   void crossings(const Ray& ray, std::vector<Crossing>& out) const override {
-    meet(ray, out, [](double) { return true; });
+    HWY_NAMESPACE::meet_land(*land_, transform_.inverse_ray(ray), kBoundless, kBoundless, *this, out);
   }
-  void nearest(const Ray& ray, double low, double, std::vector<Crossing>& out) const override {
-    meet(ray, out, [low](double depth) { return !(depth > low); });
+  void nearest(const Ray& ray, double low, double high, std::vector<Crossing>& out) const override {
+    HWY_NAMESPACE::meet_land(*land_, transform_.inverse_ray(ray), low, high, *this, out);
   }
+  void meet_block(const RayColumns& rays, std::uint64_t who, const DepthWindow* nearest_only,
+                  Slots& slots) const override {
+    HWY_DYNAMIC_DISPATCH(meet_land_in_block)(*land_, {*this, transform_, rays, who, nearest_only}, slots);
+  }
+  bool is_over_lanes() const override { return true; }
   bool inside(const Vec3& point) const override { return land_->holds(transform_.inverse_point(point)) != inverted_; }
   Vec3 normal(const Vec3& point, const Crossing& crossing) const override {
     Vec3 n(0.0);
@@ -268,14 +315,6 @@ class HeightField final : public Shape {
   ShapePtr inverted() const override { return std::make_shared<HeightField>(land_, transform_, !inverted_); }
 
  private:
-  template <class GoesOn>
-  void meet(const Ray& ray, std::vector<Crossing>& out, const GoesOn& goes_on) const {
-    land_->meet(transform_.inverse_ray(ray), [&](double depth, std::uint32_t face) {
-      out.push_back({depth, this, 0, face, {}});
-      return goes_on(depth);
-    });
-  }
-
   std::shared_ptr<const Land> land_;
   Transform transform_;
   bool inverted_;
@@ -291,3 +330,4 @@ ShapePtr make_height_field(HeightFieldParameters parameters) {
 bool is_height_field(const Shape& shape) { return dynamic_cast<const HeightField*>(&shape) != nullptr; }
 
 }  // namespace firstlight::render
+#endif
