@@ -1,4 +1,3 @@
-#include "render/shape/hypercomplex.h"
 #include "render/shape/julia_fractal.h"
 #include "tests/render/field_test_support.h"
 
@@ -48,14 +47,17 @@ TEST(JuliaFractal, OfParameterZeroIsTheUnitBall) {
 }
 
 TEST(JuliaFractal, SidesChangeAtItsCrossings) {
-  check_sides(make_julia_fractal(of(Algebra::quaternion, JuliaFunction::square, Vec4(-0.08, 0.1, -0.8, -0.03))), 1, 100);
+  check_sides(make_julia_fractal(of(Algebra::quaternion, JuliaFunction::square, Vec4(-0.08, 0.1, -0.8, -0.03))), 1,
+              100);
   check_sides(make_julia_fractal(of(Algebra::quaternion, JuliaFunction::cube, Vec4(-0.2, 0.6, 0.2, 0.2))), 2, 100);
-  check_sides(make_julia_fractal(of(Algebra::hypercomplex, JuliaFunction::square, Vec4(-0.16, 0.16, 0.56, -0.5))), 3, 20);
+  check_sides(make_julia_fractal(of(Algebra::hypercomplex, JuliaFunction::square, Vec4(-0.16, 0.16, 0.56, -0.5))), 3,
+              20);
   check_sides(make_julia_fractal(of(Algebra::hypercomplex, JuliaFunction::reciprocal, Vec4(0.6, 0.2, 0.1, 0))), 4, 100);
 }
 
 TEST(JuliaFractal, IsPlacedWithItsCrossings) {
-  const ShapePtr shape = make_julia_fractal(of(Algebra::quaternion, JuliaFunction::square, Vec4(-0.08, 0.1, -0.8, -0.03)));
+  const ShapePtr shape =
+      make_julia_fractal(of(Algebra::quaternion, JuliaFunction::square, Vec4(-0.08, 0.1, -0.8, -0.03)));
   const ShapePtr moved = shape->placed(Transform::translation(Vec3(1, 2, 3)));
   const Ray ray = ray_to(Vec3(3, 4, 5), Vec3(0.1, 0.2, 0.1));
   const std::vector<double> found = depths(shape, ray);
@@ -88,51 +90,6 @@ TEST(JuliaFractal, OfAnyNumbersComesToAnEnd) {
       met(make_julia_fractal(julia), {Vec3(-5, 0.1, 0), Vec3(1, 0, 0)});
     }
   }
-}
-
-TEST(Hypercomplex, IsTwoComplexNumbers) {
-  RayRain rain(6);
-  const auto parts = [](const Vec4& a) {
-    return std::array<std::complex<double>, 2>{std::complex(a.x - a.w, a.y + a.z), std::complex(a.x + a.w, a.y - a.z)};
-  };
-  const auto any = [&] {
-    const Vec3 p = rain.point(2.0);
-    return Vec4(p.x, p.y, p.z, rain.point(2.0).x);
-  };
-  for (int i = 0; i < 200; ++i) {
-    const Vec4 a = any();
-    const Vec4 b = any();
-    Vec4 reciprocal;
-    ASSERT_TRUE(hyper_reciprocal(a, reciprocal));
-    for (std::size_t k = 0; k < 2; ++k) {
-      EXPECT_NEAR(std::abs(parts(hyper_product(a, b))[k] - parts(a)[k] * parts(b)[k]), 0.0, 1e-12);
-      EXPECT_NEAR(std::abs(parts(hyper_square(a))[k] - parts(a)[k] * parts(a)[k]), 0.0, 1e-12);
-      EXPECT_NEAR(std::abs(parts(reciprocal)[k] * parts(a)[k] - 1.0), 0.0, 1e-9);
-    }
-  }
-  Vec4 none(7, 7, 7, 7);
-  EXPECT_FALSE(hyper_reciprocal(Vec4(1, 0, 0, 1), none));
-  EXPECT_EQ(none.x, 7.0);
-}
-
-TEST(Hypercomplex, FunctionsUndoTheirArcFunctions) {
-  const std::pair<JuliaFunction, JuliaFunction> pairs[] = {
-      {JuliaFunction::sine, JuliaFunction::arc_sine},
-      {JuliaFunction::hyperbolic_sine, JuliaFunction::hyperbolic_arc_sine},
-      {JuliaFunction::hyperbolic_cosine, JuliaFunction::hyperbolic_arc_cosine},
-      {JuliaFunction::cosine, JuliaFunction::arc_cosine},
-      {JuliaFunction::tangent, JuliaFunction::arc_tangent},
-      {JuliaFunction::hyperbolic_tangent, JuliaFunction::hyperbolic_arc_tangent},
-      {JuliaFunction::exponential, JuliaFunction::natural_logarithm},
-  };
-  for (const auto& [function, arc] : pairs) {
-    for (const std::complex<double> z : {std::complex(0.3, 0.4), std::complex(-0.6, 0.2), std::complex(0.5, -0.7)}) {
-      const std::complex<double> back = complex_function(function)(complex_function(arc)(z, {}), {});
-      EXPECT_NEAR(std::abs(back - z), 0.0, 1e-12) << static_cast<int>(function) << " " << z;
-    }
-  }
-  const std::complex<double> power = complex_function(JuliaFunction::power)({0.3, 0.4}, {2.0, 0.5});
-  EXPECT_NEAR(std::abs(power - std::pow(std::complex(0.3, 0.4), std::complex(2.0, 0.5))), 0.0, 1e-12);
 }
 
 }  // namespace
