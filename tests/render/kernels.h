@@ -179,7 +179,7 @@ class KernelList {
       (*low)[i] = 0.0;
       (*high)[i] = 1e7;
     }
-    for (const NamedShape& named : shapes_of_all_kinds()) {
+    for (const NamedShape& named : shapes_and_julia_sets()) {
       if (!named.shape->is_over_lanes()) continue;
       const ShapePtr shape = named.shape;
       kernels_.push_back(

@@ -25,7 +25,7 @@ std::vector<RayColumns> blocks_of_rays() {
 }
 
 TEST(ShapeBlocks, HaveTheCrossingsOfSingleRays) {
-  const std::vector<NamedShape> shapes = shapes_of_all_kinds();
+  const std::vector<NamedShape> shapes = shapes_and_julia_sets();
   const std::vector<RayColumns> blocks = blocks_of_rays();
   std::size_t met = 0;
   for_each_target([&](const std::string& target) {
@@ -96,7 +96,7 @@ TEST(ShapeBlocks, HaveTheNearestCrossingsOfSingleRays) {
 }
 
 TEST(ShapeBlocks, HoldThePointsThatTheyHoldAlone) {
-  const std::vector<NamedShape> shapes = shapes_of_all_kinds();
+  const std::vector<NamedShape> shapes = shapes_and_julia_sets();
   for_each_target([&](const std::string& target) {
     for (const NamedShape& named : shapes) {
       for (int block = 0; block < 9; ++block) {

@@ -1,8 +1,12 @@
 #pragma once
 
 #include "render/math/transform.h"
+#include "render/shape/bicubic_patch.h"
 #include "render/shape/blob.h"
+#include "render/shape/height_field.h"
+#include "render/shape/julia_fractal.h"
 #include "render/shape/lathe.h"
+#include "render/shape/mesh.h"
 #include "render/shape/ovus.h"
 #include "render/shape/poly.h"
 #include "render/shape/primitives.h"
@@ -81,6 +85,65 @@ inline std::vector<NamedShape> shapes_of_equations() {
   };
 }
 
+/// A landscape of hills about the origin, of 23 times 37 points.
+inline ShapePtr hilly_height_field() {
+  HeightFieldParameters field;
+  field.columns = 23;
+  field.rows = 37;
+  for (int z = 0; z < field.rows; ++z) {
+    for (int x = 0; x < field.columns; ++x) {
+      field.heights.push_back(static_cast<std::uint16_t>(30000.0 + 20000.0 * std::sin(0.7 * x) * std::cos(0.4 * z)));
+    }
+  }
+  field.water_level = 0.2;
+  return make_height_field(field)->placed(
+      Transform::translation(Vec3(-0.5)).then(Transform::scaling(Vec3(2.6, 1.8, 2.4))));
+}
+
+/// A ball of some hundred triangles about the origin, with an inside.
+inline ShapePtr ball_of_triangles() {
+  MeshParameters mesh;
+  constexpr std::uint32_t kAround = 24, kUp = 12;
+  for (std::uint32_t j = 0; j <= kUp; ++j) {
+    for (std::uint32_t i = 0; i < kAround; ++i) {
+      const double a = 6.283185307 * i / kAround, b = 3.141592654 * j / kUp;
+      mesh.vertices.emplace_back(std::sin(b) * std::cos(a), 1.1 * std::cos(b), 0.9 * std::sin(b) * std::sin(a));
+    }
+  }
+  for (std::uint32_t j = 0; j < kUp; ++j) {
+    for (std::uint32_t i = 0; i < kAround; ++i) {
+      const std::uint32_t next = (i + 1) % kAround, low = j * kAround, high = low + kAround;
+      mesh.faces.push_back({low + i, low + next, high + i});
+      mesh.faces.push_back({low + next, high + next, high + i});
+    }
+  }
+  mesh.inside_vector = Vec3(0.1, 0.9, 0.2).normalized();
+  return make_mesh(mesh);
+}
+
+inline ShapePtr bent_patch() {
+  BicubicPatchParameters patch;
+  for (std::size_t i = 0; i < 4; ++i) {
+    for (std::size_t j = 0; j < 4; ++j) {
+      const double u = static_cast<double>(i) - 1.5, v = static_cast<double>(j) - 1.5;
+      patch.points[i][j] = Vec3(u, 0.6 * u * v + 0.3 * v * v - 0.4, v);
+    }
+  }
+  patch.u_steps = patch.v_steps = 3;
+  return make_bicubic_patch(patch);
+}
+
+inline ShapePtr julia_of(JuliaFractalParameters::Algebra algebra, JuliaFunction function, const Vec4& parameter) {
+  JuliaFractalParameters julia;
+  julia.algebra = algebra;
+  julia.function = function;
+  julia.parameter = parameter;
+  julia.most_iterations = 6;
+  julia.precision = 6.0;
+  julia.exponent = {2.5, 0.3};
+  return make_julia_fractal(julia);
+}
+
 /// Shapes about the origin whose formulas are over lanes, and some whose are not.
 inline std::vector<NamedShape> shapes_of_all_kinds() {
   const Transform turned = Transform::scaling(Vec3(1.3, 0.7, 1.0))
@@ -110,10 +173,33 @@ inline std::vector<NamedShape> shapes_of_all_kinds() {
       {"turned quadric", make_quadric(paraboloid)->placed(turned)},
       {"torus", make_torus(0.9, 0.3)},
       {"superellipsoid", make_superellipsoid(0.3, 0.7)},
+      {"height field", hilly_height_field()},
+      {"turned height field", hilly_height_field()->placed(turned)},
+      {"mesh", ball_of_triangles()},
+      {"turned mesh", ball_of_triangles()->placed(turned)},
+      {"bicubic patch", bent_patch()},
   };
   for (NamedShape& shape : shapes_of_equations()) shapes.push_back(std::move(shape));
   const std::size_t count = shapes.size();
   for (std::size_t i = 0; i < count; ++i) shapes.push_back({"inverse " + shapes[i].name, shapes[i].shape->inverted()});
+  return shapes;
+}
+
+/// And Julia sets, of which the nearest crossing asked for alone is the first, even if it is too near to count.
+inline std::vector<NamedShape> shapes_and_julia_sets() {
+  using Algebra = JuliaFractalParameters::Algebra;
+  std::vector<NamedShape> shapes = shapes_of_all_kinds();
+  const Vec4 near(-0.08, 0.1, -0.8, -0.03), far(0.3, 0.2, 0.1, 0.05);
+  shapes.push_back({"julia set of squares", julia_of(Algebra::quaternion, JuliaFunction::square, near)});
+  shapes.push_back(
+      {"julia set of cubes", julia_of(Algebra::quaternion, JuliaFunction::cube, Vec4(-0.2, 0.6, 0.2, 0.2))});
+  constexpr std::pair<const char*, JuliaFunction> kFunctions[] = {
+      {"hypercomplex squares", JuliaFunction::square}, {"hypercomplex cubes", JuliaFunction::cube},
+      {"reciprocals", JuliaFunction::reciprocal},      {"sines", JuliaFunction::sine},
+      {"arc tangents", JuliaFunction::arc_tangent},    {"powers", JuliaFunction::power}};
+  for (const auto& [name, function] : kFunctions) {
+    shapes.push_back({std::string("julia set of ") + name, julia_of(Algebra::hypercomplex, function, far)});
+  }
   return shapes;
 }
 
