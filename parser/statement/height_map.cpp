@@ -5,6 +5,8 @@
 #include "render/math/interrupt.h"
 #include "render/texture/image_store.h"
 
+#include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
@@ -58,24 +60,38 @@ class Pixels {
   const ImageSource& source_;
 };
 
-/// A function over the unit square. Its numbers are kept in 16 bits.
+/// A function over the unit square, some columns of a row at a time. Its numbers are kept in 16 bits.
 void evaluate_heights(const ImageSource& source, int noise_generator, render::HeightFieldParameters& field) {
+  constexpr std::size_t kAtOnce = 64;
+  using Row = std::array<double, kAtOnce>;
+  std::array<Row, 3> places{};
+  std::array<Row, render::Function::kMostResults> found;
+  const double* const at[3] = {places[0].data(), places[1].data(), places[2].data()};
+  double* results[render::Function::kMostResults];
+  for (std::size_t r = 0; r < found.size(); ++r) results[r] = found[r].data();
   render::Evaluation evaluation;
   evaluation.noise_generator = noise_generator;
-  double results[render::Function::kMostResults] = {};
   const auto word = [](double value) {
     return static_cast<float>(cut(static_cast<float>(value) * 65535.0f)) / 65535.0f;
   };
   const double width = source.columns - 1.0;
   const double height = source.rows - 1.0;
   for (std::uint32_t row = source.rows; row-- > 0 && !render::Interrupt::asked();) {
-    for (std::uint32_t column = 0; column < source.columns; ++column) {
-      const double at[3] = {column / width, row / height, 0.0};
-      source.function->evaluate(at, results, evaluation);
-      const float grey = source.function->result_count() == 1
-                             ? word(results[0])
-                             : grey_of(word(results[0]), word(results[1]), word(results[2]));
-      field.heights.push_back(cut(grey * 65535.0f));
+    places[1].fill(row / height);
+    for (std::size_t first = 0; first < source.columns; first += kAtOnce) {
+      const std::size_t count = std::min(kAtOnce, source.columns - first);
+      for (std::size_t i = 0; i < count; ++i) places[0][i] = static_cast<double>(first + i) / width;
+      const std::uint64_t steps = evaluation.steps_left / kAtOnce;  // for each of them
+      const std::uint64_t others = evaluation.steps_left - steps * count;
+      evaluation.steps_left = steps;
+      source.function->evaluate_many(at, results, count, evaluation);
+      evaluation.steps_left = others + evaluation.steps_left * count;
+      for (std::size_t i = 0; i < count; ++i) {
+        const float grey = source.function->result_count() == 1
+                               ? word(found[0][i])
+                               : grey_of(word(found[0][i]), word(found[1][i]), word(found[2][i]));
+        field.heights.push_back(cut(grey * 65535.0f));
+      }
     }
   }
   field.heights.resize(std::size_t{source.columns} * source.rows);
