@@ -1,6 +1,6 @@
 #include "render/function/instruction.h"
 
-#include "render/function/operations.h"
+#include "render/function/operations-inl.h"
 
 namespace firstlight::render {
 
@@ -12,23 +12,9 @@ int operands(Operation operation) {
 }
 
 double apply(const Instruction& instruction, const double* a) {
+  const double* const from[] = {a, a + 1, a + 2, a + 3};
   double result = instruction.value;
-  switch (operands(instruction.operation)) {
-    case 0:
-      break;
-    case 1:
-      with_one(instruction, [&](auto f) { result = f(a[0]); });
-      break;
-    case 2:
-      with_two(instruction.operation, [&](auto f) { result = f(a[0], a[1]); });
-      break;
-    case 3:
-      result = select_negative(a[0], a[1], a[2]);
-      break;
-    default:
-      result = select(a[0], a[1], a[2], a[3]);
-      break;
-  }
+  HWY_NAMESPACE::operate<One>(instruction, from, &result, 1);
   return result;
 }
 

@@ -66,6 +66,8 @@ enum class Operation : std::uint8_t {
 
 /// Values of Instruction::component: the weighted sum of red, green and blue; MegaPOV's height field colour.
 constexpr std::uint8_t kGrayComponent = 5, kHeightComponent = 6;
+constexpr double kGrayWeights[] = {0.297, 0.589, 0.114};      ///< of red, green and blue, added in this order
+constexpr double kHeightWeights[] = {0.996093, 1.0 / 255.0};  ///< of the sum, and of green in it
 
 struct Instruction {
   Operation operation = Operation::constant;

@@ -1,7 +1,6 @@
 #include "render/function/internal.h"
 
 #include <algorithm>
-#include <array>
 #include <memory>
 
 namespace firstlight::render {
@@ -9,29 +8,27 @@ namespace {
 
 class Internal final : public Function {
  public:
-  explicit Internal(const InternalFunction& row) : Function(row.parameters, 1, 20), formula_(row.formula) {}
+  Internal(const InternalFunction& function, const InternalFamily& family)
+      : Function(function.parameters, 1, 20), function_(function), many_(family.many) {}
   void evaluate(const double* arguments, double* results, Evaluation& evaluation) const override {
-    *results = formula_(arguments, evaluation);
+    *results = function_.formula(arguments, evaluation.noise_generator);
   }
   void evaluate_many(const double* const* arguments, double* const* results, std::size_t count,
                      Evaluation& evaluation) const override {
-    std::array<double, kMostParameters> point;
-    for (std::size_t i = 0; i < count; ++i) {
-      for (std::size_t p = 0; p < parameter_count(); ++p) point[p] = arguments[p][i];
-      results[0][i] = formula_(point.data(), evaluation);
-    }
+    many_(function_.number, arguments, results[0], count, evaluation.noise_generator);
   }
 
  private:
-  InternalFunction::Formula formula_;
+  InternalFunction function_;
+  decltype(InternalFamily::many) many_;
 };
 
 }  // namespace
 
 FunctionPtr make_internal(std::size_t number) {
-  for (const auto rows : {internal_noise(), internal_plane(), internal_solids(), internal_surfaces()}) {
-    const auto found = std::ranges::find(rows, number, &InternalFunction::number);
-    if (found != rows.end()) return std::make_shared<Internal>(*found);
+  for (const InternalFamily& family : {internal_noise(), internal_plane(), internal_solids(), internal_surfaces()}) {
+    const auto found = std::ranges::find(family.functions, number, &InternalFunction::number);
+    if (found != family.functions.end()) return std::make_shared<Internal>(*found, family);
   }
   return nullptr;
 }

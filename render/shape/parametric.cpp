@@ -3,10 +3,13 @@
 #include "render/math/interrupt.h"
 #include "render/shape/placed.h"
 #include "render/shape/ray_field.h"
+#include "render/shape/slots.h"
 #include "render/shape/tolerance.h"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
+#include <cstdint>
 #include <optional>
 #include <span>
 #include <utility>
@@ -72,6 +75,7 @@ struct Slab {
 /// How far a ray may meet a rectangle.
 class Approach {
  public:
+  Approach() = default;
   /// `part`: the depths that count.
   Approach(const Ray& ray, const Range& part) : ray_(ray), part_(part) {}
 
@@ -98,10 +102,105 @@ class Approach {
   }
 
  private:
-  const Ray& ray_;
-  Range part_;
+  Ray ray_{};
+  Range part_{};
   std::array<Slab, 3> slabs_;
   int count_ = 0;
+};
+
+/// One ray's way through the rectangles that it may meet.
+///
+/// Source  POV-Ray 3.7: rectangles of u and v are halved as long as the ray may meet what they may reach; what is small
+///         enough is met at the nearest depth of its reach along z, or the last axis that the ray does not run across.
+class Walk {
+ public:
+  void start(const Ray& ray, const Range& depths, double accuracy) {
+    ray_ = ray;
+    depths_ = depths;
+    accuracy_ = accuracy;
+    waiting_.clear();
+    nearest_ = kBoundless;
+    count_ = 0;
+  }
+  void add(const Rectangle& rectangle) { waiting_.push_back(rectangle); }
+
+  /// Goes on to the next rectangle that is to be halved; false when there is none.
+  bool next() {
+    for (; !waiting_.empty(); ++count_) {
+      if (count_ > kMostRectangles) break;
+      here_ = waiting_.back();
+      waiting_.pop_back();
+      if (here_.latest_begin > nearest_) continue;
+      if (!(std::min(here_.longer_side(), here_.stretch) < accuracy_)) {
+        if (waiting_.size() >= kMostWaiting) continue;
+        ++count_;
+        halves_ = here_.halves();
+        approaches_ = {Approach(ray_, depths_), Approach(ray_, depths_)};
+        is_met_ = {true, true};
+        return true;
+      }
+      if (here_.depth < nearest_ && here_.depth > depths_.low) {
+        nearest_ = here_.depth;
+        uv_ = here_.low;
+      }
+    }
+    if (!waiting_.empty()) nearest_ = kBoundless;
+    return false;
+  }
+  Rectangle& here() { return here_; }
+  std::array<Rectangle, 2>& halves() { return halves_; }
+  /// Whether the ray may meet any of the halves, along the next axis too.
+  bool meets(const std::array<Range, 2>& ranges) {
+    for (std::size_t i = 0; i < 2; ++i) is_met_[i] = is_met_[i] && approaches_[i].next(ranges[i], halves_[i]);
+    return is_met_[0] || is_met_[1];
+  }
+  /// The halves that are met wait, the lower one last.
+  void keep_halves() {
+    if (is_met_[1]) waiting_.push_back(halves_[1]);
+    if (is_met_[0]) waiting_.push_back(halves_[0]);
+  }
+
+  double nearest() const { return nearest_; }
+  const Vec2& uv() const { return uv_; }
+
+ private:
+  Ray ray_;
+  Range depths_;
+  double accuracy_;
+  std::vector<Rectangle> waiting_;
+  double nearest_;
+  Vec2 uv_;
+  int count_;
+  Rectangle here_;
+  std::array<Rectangle, 2> halves_;
+  std::array<Approach, 2> approaches_;
+  std::array<bool, 2> is_met_;
+};
+
+/// Points of u and v at which a coordinate is asked for, and its values there.
+class Evaluated {
+ public:
+  static constexpr std::size_t kMost = 6 * kRaysAtOnce;
+
+  std::size_t size() const { return size_; }
+  void add(const Vec2& uv) {
+    u_[size_] = uv.x;
+    v_[size_++] = uv.y;
+  }
+  void add_corners(const Rectangle& r) {
+    for (const Vec2& uv : {r.low, Vec2(r.low.x, r.high.y), Vec2(r.high.x, r.low.y), r.high}) add(uv);
+  }
+  void run(const Function& function, int noise_generator) {
+    std::fill_n(zeros_.begin(), size_, 0.0);
+    Evaluation evaluation{.noise_generator = noise_generator};
+    evaluate_field(function, {u_.data(), v_.data(), zeros_.data()}, size_, values_.data(), evaluation);
+  }
+  double operator[](std::size_t i) const { return values_[i]; }
+
+ private:
+  using Row = std::array<double, kMost>;
+  Row u_, v_, zeros_, values_;
+  std::size_t size_ = 0;
 };
 
 struct Parametric {
@@ -115,171 +214,216 @@ struct Parametric {
     for (std::size_t axis = 0; axis < 3; ++axis) {
       if (p.precompute[axis] && p.precompute_depth > 0) {
         kept[axis].resize(std::size_t{1} << p.precompute_depth);
-        precompute(axis, {p.low, p.high});
+        keep(axis, kept[axis].size() / 2);
+        for (std::size_t number = kept[axis].size() / 2; number-- > 1;) enclose_halves(axis, number);
       } else {
         int levels = kKeptLevels;
         const double each = 4.0 * static_cast<double>(p.functions[axis]->cost());
         while (levels > 1 && std::ldexp(each, levels) > kMostInstructions) --levels;
         kept[axis].resize(std::size_t{1} << levels);
-        keep(axis, {p.low, p.high});
+        keep(axis, 1);
       }
     }
   }
 
-  /// Source  POV-Ray 3.7: rectangles of u and v are halved as long as the ray may meet what they may reach; what is small
-  ///         enough is met at the nearest depth of its reach along z, or the last axis that the ray does not run across.
   void meet(const Ray& ray, Met& met) const {
-    const std::optional<ContainedPart> part = contained_part(p.container, ray);
-    if (!part) return;
-    double begin = part->begin == part->end ? 0.0 : part->begin;
-    begin += kStartRoom * p.accuracy;
-    if (begin > part->end) return;
-    const Range depths{begin, part->end};
-    thread_local std::vector<Rectangle> waiting;
-    waiting.clear();
-    Evaluation evaluation{.noise_generator = p.noise_generator};
-    add_whole(ray, depths, waiting);
-    double nearest = kBoundless;
-    Vec2 uv(0.0);
-    for (int count = 0; !waiting.empty(); ++count) {
-      if (count > kMostRectangles || (count % 64 == 0 && Interrupt::asked())) return;
-      Rectangle here = waiting.back();
-      waiting.pop_back();
-      if (here.latest_begin > nearest) continue;
-      if (!(std::min(here.longer_side(), here.stretch) < p.accuracy)) {
-        if (waiting.size() < kMostWaiting) add_halves(ray, depths, here, waiting, evaluation);
-      } else if (here.depth < nearest && here.depth > begin) {
-        nearest = here.depth;
-        uv = here.low;
-      }
+    RayColumns rays;
+    set_ray(rays, 0, ray);
+    meet(rays, 1, [&](std::size_t, double depth, const Vec2& uv) { met.add(depth, 0, {uv.x, uv.y}); });
+  }
+  void meet_block(const RaysAndPlace& asked, Slots& slots) const {
+    RayColumns rays;
+    for (std::uint64_t bits = asked.who; bits != 0; bits &= bits - 1) {
+      const auto i = static_cast<std::size_t>(std::countr_zero(bits));
+      set_ray(rays, i, asked.transform.inverse_ray(asked.rays.ray(i)));
     }
-    if (nearest < part->end && nearest > 0.0) met.add(nearest, 0, {uv.x, uv.y});
+    Slot* const slot = slots.add(asked.shape);
+    if (slot == nullptr) return;
+    slot->has_places = true;
+    Slot::Details& details = slot->own_details();
+    meet(rays, asked.who, [&](std::size_t i, double depth, const Vec2& uv) {
+      slot->rays |= std::uint64_t{1} << i;
+      slot->depth[i] = depth;
+      details.place[0][i] = uv.x;
+      details.place[1][i] = uv.y;
+    });
+    slots.drop_empty(slots.size() - 1);
   }
   bool inside(const Vec3&, bool) const { return false; }
+  std::uint64_t inside_block(const Transform&, bool, const Columns3<double>&, std::uint64_t) const { return 0; }
   Vec3 normal(const Vec3&, const Crossing& at) const {
-    std::array<FieldColumn, 3> points;
-    for (FieldColumn& column : points) std::fill_n(column.begin(), 3, 0.0);
-    points[0] = {at.place[0], at.place[0] + p.accuracy, at.place[0]};
-    points[1] = {at.place[1], at.place[1], at.place[1] + p.accuracy};
-    Vec3 along_u;
-    Vec3 along_v;
-    Evaluation evaluation{.noise_generator = p.noise_generator};
-    for (int axis = 0; axis < 3; ++axis) {
-      FieldColumn values;
-      evaluate_field(*p.functions[static_cast<std::size_t>(axis)], points, 3, values, evaluation);
-      along_u[axis] = values[1] - values[0];
-      along_v[axis] = values[2] - values[0];
+    SurfacePlaces places;
+    places.crossing[0] = &at;
+    Columns3<double> found;
+    found.set(0, Vec3(0.0));
+    normals(places, 0, 1, found);
+    return found.vector(0);
+  }
+  void normals(const SurfacePlaces& places, std::size_t first, std::size_t end, Columns3<double>& out) const {
+    std::array<Evaluated, 3> coordinates;
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      for (std::size_t i = first; i < end; ++i) {
+        const std::array<double, 2>& uv = places.crossing[i]->place;
+        coordinates[axis].add(Vec2(uv[0], uv[1]));
+        coordinates[axis].add(Vec2(uv[0] + p.accuracy, uv[1]));
+        coordinates[axis].add(Vec2(uv[0], uv[1] + p.accuracy));
+      }
+      coordinates[axis].run(*p.functions[axis], p.noise_generator);
     }
-    const Vec3 n = along_u.cross(along_v);
-    const double largest = std::max({std::abs(n.x), std::abs(n.y), std::abs(n.z)});
-    return largest > 0.0 && std::isfinite(largest) ? n / largest : Vec3(1.0, 0.0, 0.0);
+    for (std::size_t i = first; i < end; ++i) {
+      const std::size_t at = 3 * (i - first);
+      const auto along = [&](std::size_t to) {
+        return Vec3(coordinates[0][to] - coordinates[0][at], coordinates[1][to] - coordinates[1][at],
+                    coordinates[2][to] - coordinates[2][at]);
+      };
+      const Vec3 n = along(at + 1).cross(along(at + 2));
+      const double largest = std::max({std::abs(n.x), std::abs(n.y), std::abs(n.z)});
+      out.set(i, largest > 0.0 && std::isfinite(largest) ? n / largest : Vec3(1.0, 0.0, 0.0));
+    }
   }
   Vec2 uv(const Vec3&, const Crossing& at) const { return Vec2(at.place[0], at.place[1]); }
   Box3 bounds() const { return bounds_of(p.container); }
   Box3 inside_bounds() const { return bounds(); }
 
  private:
+  static void set_ray(RayColumns& rays, std::size_t i, const Ray& ray) {
+    rays.origin.set(i, ray.origin);
+    rays.direction.set(i, ray.direction);
+  }
+
+  /// Calls take(i, depth, uv) for those rays in `who` that meet the surface. In each round the rays that are still on their
+  /// way go to a rectangle for whose halves a function must be asked.
+  template <class Take>
+  void meet(const RayColumns& rays, std::uint64_t who, const Take& take) const {
+    thread_local std::array<Walk, kRaysAtOnce> walks;
+    std::array<double, kRaysAtOnce> end;
+    std::array<std::uint64_t, 3> asking{};  // by axis: rays that ask for that coordinate
+    // On from halves that are met along the axes before `axis`, or are not.
+    const auto go_on = [&](std::size_t i, std::size_t axis, bool is_met) {
+      Walk& walk = walks[i];
+      do {
+        for (; is_met && axis < 3; ++axis) {
+          const std::array<Rectangle, 2>& halves = walk.halves();
+          if (halves[1].number >= kept[axis].size()) {
+            asking[axis] |= std::uint64_t{1} << i;
+            return;
+          }
+          is_met = walk.meets({kept[axis][halves[0].number], kept[axis][halves[1].number]});
+        }
+        if (is_met) walk.keep_halves();
+        axis = 0;
+        is_met = true;
+      } while (walk.next());
+      if (walk.nearest() < end[i] && walk.nearest() > 0.0) take(i, walk.nearest(), walk.uv());
+    };
+    for (; who != 0; who &= who - 1) {
+      const auto i = static_cast<std::size_t>(std::countr_zero(who));
+      const Ray ray = rays.ray(i);
+      const std::optional<ContainedPart> part = contained_part(p.container, ray);
+      if (!part) continue;
+      const double begin = (part->begin == part->end ? 0.0 : part->begin) + kStartRoom * p.accuracy;
+      if (begin > part->end) continue;
+      end[i] = part->end;
+      walks[i].start(ray, {begin, part->end}, p.accuracy);
+      if (add_whole(ray, {begin, part->end}, walks[i]) && walks[i].next()) go_on(i, 0, true);
+    }
+    while ((asking[0] | asking[1] | asking[2]) != 0 && !Interrupt::asked()) {
+      for (std::size_t axis = 0; axis < 3; ++axis) {
+        const std::uint64_t asked = std::exchange(asking[axis], 0);
+        if (asked != 0) ask(axis, asked, walks, go_on);
+      }
+    }
+  }
+  /// Evaluates a coordinate at the corners of halves, which are the whole's and two in the middle of its sides.
+  template <class GoOn>
+  void ask(std::size_t axis, std::uint64_t who, std::array<Walk, kRaysAtOnce>& walks, const GoOn& go_on) const {
+    Evaluated values;
+    for (std::uint64_t bits = who; bits != 0; bits &= bits - 1) {
+      Walk& walk = walks[static_cast<std::size_t>(std::countr_zero(bits))];
+      const Rectangle& whole = walk.here();
+      if (!whole.is_known[axis]) values.add_corners(whole);
+      const Vec2& middle = walk.halves()[1].low;
+      values.add(middle);
+      values.add(whole.split_axis() == 0 ? Vec2(middle.x, whole.high.y) : Vec2(whole.high.x, middle.y));
+    }
+    values.run(*p.functions[axis], p.noise_generator);
+    std::size_t at = 0;
+    for (std::uint64_t bits = who; bits != 0; bits &= bits - 1) {
+      const auto i = static_cast<std::size_t>(std::countr_zero(bits));
+      Walk& walk = walks[i];
+      const Rectangle& whole = walk.here();
+      Rectangle::Corners f = whole.corners[axis];
+      if (!whole.is_known[axis]) {
+        f = corners(values, at);
+        at += 4;
+      }
+      const double m[] = {value(values, at), value(values, at + 1)};
+      at += 2;
+      std::array<Rectangle, 2>& halves = walk.halves();
+      if (whole.split_axis() == 0) {
+        halves[0].corners[axis] = {f[0], f[1], m[0], m[1]};
+        halves[1].corners[axis] = {m[0], m[1], f[2], f[3]};
+      } else {
+        halves[0].corners[axis] = {f[0], m[0], f[2], m[1]};
+        halves[1].corners[axis] = {m[0], f[1], m[1], f[3]};
+      }
+      halves[0].is_known[axis] = halves[1].is_known[axis] = true;
+      const std::array ranges = {range_of(halves[0], halves[0].corners[axis]),
+                                 range_of(halves[1], halves[1].corners[axis])};
+      go_on(i, axis + 1, walk.meets(ranges));
+    }
+  }
+
   /// Bounds a coordinate in a rectangle whose corners are known.
   Range range_of(const Rectangle& r, const Rectangle::Corners& f) const {
     const double height = r.high.y - r.low.y;
     const double width = r.high.x - r.low.x;
     const Range first = reach(height, f[0], f[1], p.max_gradient);
     const Range last = reach(height, f[2], f[3], p.max_gradient);
-    return {reach(width, first.low, last.low, p.max_gradient).low, reach(width, first.high, last.high, p.max_gradient).high};
+    return {reach(width, first.low, last.low, p.max_gradient).low,
+            reach(width, first.high, last.high, p.max_gradient).high};
   }
-  /// A coordinate at some points of u and v. POV-Ray takes the accuracy off.
-  void evaluate(std::size_t axis, std::span<const Vec2> points, FieldColumn& values, Evaluation& evaluation) const {
-    std::array<FieldColumn, 3> columns;
-    for (std::size_t i = 0; i < points.size(); ++i) {
-      columns[0][i] = points[i].x;
-      columns[1][i] = points[i].y;
-      columns[2][i] = 0.0;
-    }
-    evaluate_field(*p.functions[axis], columns, points.size(), values, evaluation);
-    for (std::size_t i = 0; i < points.size(); ++i) values[i] -= p.accuracy;
+  /// A coordinate as it was evaluated. POV-Ray takes the accuracy off.
+  double value(const Evaluated& values, std::size_t i) const { return values[i] - p.accuracy; }
+  Rectangle::Corners corners(const Evaluated& values, std::size_t i) const {
+    return {value(values, i), value(values, i + 1), value(values, i + 2), value(values, i + 3)};
   }
-  Rectangle::Corners corners_of(std::size_t axis, const Rectangle& r, Evaluation& evaluation) const {
-    FieldColumn f;
-    evaluate(axis, std::array{r.low, Vec2(r.low.x, r.high.y), Vec2(r.high.x, r.low.y), r.high}, f, evaluation);
-    return {f[0], f[1], f[2], f[3]};
-  }
-  Range range_in(std::size_t axis, const Rectangle& r, Evaluation& evaluation) const {
-    return range_of(r, corners_of(axis, r, evaluation));
-  }
-
-  void add_whole(const Ray& ray, const Range& depths, std::vector<Rectangle>& waiting) const {
+  /// Adds the whole if the ray may meet it.
+  bool add_whole(const Ray& ray, const Range& depths, Walk& walk) const {
     Rectangle whole{p.low, p.high};
     Approach approach(ray, depths);
     for (const std::vector<Range>& ranges : kept) {
-      if (!approach.next(ranges[1], whole)) return;
+      if (!approach.next(ranges[1], whole)) return false;
     }
-    waiting.push_back(whole);
-  }
-  /// Adds the halves that the ray may meet, the lower one last. `whole` may get to know its corners.
-  void add_halves(const Ray& ray, const Range& depths, Rectangle& whole, std::vector<Rectangle>& waiting,
-                  Evaluation& evaluation) const {
-    std::array<Rectangle, 2> halves = whole.halves();
-    std::array<Approach, 2> approaches = {Approach(ray, depths), Approach(ray, depths)};
-    std::array<bool, 2> is_met = {true, true};
-    for (std::size_t axis = 0; axis < 3; ++axis) {
-      const std::vector<Range>& ranges = kept[axis];
-      const bool is_kept = halves[1].number < ranges.size();
-      if (!is_kept) share_corners(axis, whole, halves, evaluation);
-      for (std::size_t i = 0; i < 2; ++i) {
-        if (!is_met[i]) continue;
-        const Range range = is_kept ? ranges[halves[i].number] : range_of(halves[i], halves[i].corners[axis]);
-        is_met[i] = approaches[i].next(range, halves[i]);
-      }
-      if (!is_met[0] && !is_met[1]) return;
-    }
-    if (is_met[1]) waiting.push_back(halves[1]);
-    if (is_met[0]) waiting.push_back(halves[0]);
-  }
-  /// The halves' corners are the whole's and two in the middle of its sides.
-  void share_corners(std::size_t axis, Rectangle& whole, std::array<Rectangle, 2>& halves, Evaluation& evaluation) const {
-    if (!whole.is_known[axis]) {
-      whole.corners[axis] = corners_of(axis, whole, evaluation);
-      whole.is_known[axis] = true;
-    }
-    const Rectangle::Corners& f = whole.corners[axis];
-    FieldColumn m;
-    if (whole.split_axis() == 0) {
-      const double middle = halves[1].low.x;
-      evaluate(axis, std::array{Vec2(middle, whole.low.y), Vec2(middle, whole.high.y)}, m, evaluation);
-      halves[0].corners[axis] = {f[0], f[1], m[0], m[1]};
-      halves[1].corners[axis] = {m[0], m[1], f[2], f[3]};
-    } else {
-      const double middle = halves[1].low.y;
-      evaluate(axis, std::array{Vec2(whole.low.x, middle), Vec2(whole.high.x, middle)}, m, evaluation);
-      halves[0].corners[axis] = {f[0], m[0], f[2], m[1]};
-      halves[1].corners[axis] = {m[0], f[1], m[1], f[3]};
-    }
-    halves[0].is_known[axis] = halves[1].is_known[axis] = true;
+    walk.add(whole);
+    return true;
   }
 
-  /// The bounds that meet() would find.
-  void keep(std::size_t axis, const Rectangle& whole) {
-    std::vector<Rectangle> waiting{whole};
-    Evaluation evaluation{.noise_generator = p.noise_generator};
+  /// Keeps the bounds that meet() would find, of the rectangles with the number `first` and higher ones.
+  void keep(std::size_t axis, std::size_t first) {
+    std::vector<Rectangle> waiting{{p.low, p.high}};
+    std::vector<Rectangle> asked;
     while (!waiting.empty()) {
       const Rectangle here = waiting.back();
       waiting.pop_back();
-      kept[axis][here.number] = range_in(axis, here, evaluation);
-      if (2 * here.number >= kept[axis].size()) continue;
-      for (const Rectangle& half : here.halves()) waiting.push_back(half);
+      if (here.number >= first) asked.push_back(here);
+      if (2 * here.number < kept[axis].size()) {
+        for (const Rectangle& half : here.halves()) waiting.push_back(half);
+      }
+      if (asked.size() < kRaysAtOnce && !waiting.empty()) continue;
+      Evaluated values;
+      for (const Rectangle& r : asked) values.add_corners(r);
+      values.run(*p.functions[axis], p.noise_generator);
+      for (std::size_t i = 0; i < asked.size(); ++i) {
+        kept[axis][asked[i].number] = range_of(asked[i], corners(values, 4 * i));
+      }
+      asked.clear();
     }
   }
-  /// Bounds of the smallest rectangles; those of the others enclose their halves'. Recursion: kDeepestPrecompute.
-  Range precompute(std::size_t axis, const Rectangle& here) {
-    Range& range = kept[axis][here.number];
-    if (2 * here.number >= kept[axis].size()) {
-      Evaluation evaluation{.noise_generator = p.noise_generator};
-      return range = range_in(axis, here, evaluation);
-    }
-    const std::array<Rectangle, 2> halves = here.halves();
-    const Range a = precompute(axis, halves[0]);
-    const Range b = precompute(axis, halves[1]);
-    return range = {std::min(a.low, b.low), std::max(a.high, b.high)};
+  void enclose_halves(std::size_t axis, std::size_t number) {
+    const Range& a = kept[axis][2 * number];
+    const Range& b = kept[axis][2 * number + 1];
+    kept[axis][number] = {std::min(a.low, b.low), std::max(a.high, b.high)};
   }
 };
 

@@ -67,6 +67,7 @@ struct RaysAndPlace {
 ///     std::uint64_t inside_block(const Transform& transform, bool inverted, const Columns3<double>& points,
 ///                                std::uint64_t who) const;           may be left out: point by point
 ///     Vec3 normal(const Vec3& point, const Crossing& at) const;      outward, of any length
+///     void normals(places, first, end, out) const;                   may be left out: one by one
 ///     Vec2 uv(const Vec3& point, const Crossing& at) const;          may be left out: x and y of the point in space
 ///     void textures(places, first, end, out) const;                  may be left out; as Shape's
 ///     Box3 bounds() const;
@@ -113,7 +114,15 @@ class Placed final : public Shape {
     return inverted_ ? -n : n;
   }
   void normals(const SurfacePlaces& places, std::size_t first, std::size_t end, Columns3<double>& out) const override {
-    for (std::size_t i = first; i < end; ++i) out.set(i, Placed::normal(places.point.vector(i), *places.crossing[i]));
+    if constexpr (requires { &Local::normals; }) {
+      local().normals(own_places(places, first, end), first, end, out);
+      for (std::size_t i = first; i < end; ++i) {
+        const Vec3 n = transform_.normal(out.vector(i)).normalized();
+        out.set(i, inverted_ ? -n : n);
+      }
+    } else {
+      for (std::size_t i = first; i < end; ++i) out.set(i, Placed::normal(places.point.vector(i), *places.crossing[i]));
+    }
   }
   Vec2 uv(const Vec3& point, const Crossing& crossing) const override {
     if constexpr (requires { local().uv(point, crossing); }) {
@@ -128,12 +137,7 @@ class Placed final : public Shape {
   void textures(const SurfacePlaces& places, std::size_t first, std::size_t end,
                 std::vector<TextureShare>& out) const override {
     if constexpr (requires { local().textures(places, first, end, out); }) {
-      SurfacePlaces own;
-      for (std::size_t i = first; i < end; ++i) {
-        own.point.set(i, transform_.inverse_point(places.point.vector(i)));
-        own.crossing[i] = places.crossing[i];
-      }
-      local().textures(own, first, end, out);
+      local().textures(own_places(places, first, end), first, end, out);
     } else {
       Shape::textures(places, first, end, out);
     }
@@ -182,6 +186,14 @@ class Placed final : public Shape {
   Placed(Held held, Transform transform, bool inverted)
       : held_(std::move(held)), transform_(std::move(transform)), inverted_(inverted) {}
   const Local& local() const { return held_.get(); }
+  SurfacePlaces own_places(const SurfacePlaces& places, std::size_t first, std::size_t end) const {
+    SurfacePlaces own;
+    for (std::size_t i = first; i < end; ++i) {
+      own.point.set(i, transform_.inverse_point(places.point.vector(i)));
+      own.crossing[i] = places.crossing[i];
+    }
+    return own;
+  }
 
   Held held_;
   Transform transform_;

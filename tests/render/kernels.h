@@ -1,6 +1,6 @@
 #pragma once
 
-#include "render/function/elementary.h"
+#include "render/function/program.h"
 #include "render/texture/patterns.h"
 #include "render/texture/warp.h"
 #include "tests/render/shape_list.h"
@@ -161,11 +161,18 @@ class KernelList {
         {"sin", Operation::sine},         {"tan", Operation::tangent},
         {"pow", Operation::power},        {"atan2", Operation::arc_tangent_of_two}};
     for (const auto& [name, operation] : kOperations) {
+      std::vector<Instruction> instructions{{Operation::parameter, 0, 0, 0.0}};
+      if (operands(operation) == 2) instructions.push_back({Operation::parameter, 0, 1, 0.0});
+      instructions.push_back({operation, 0, 0, 0.0});
+      const auto program = std::make_shared<Program>(instructions, 3);
       kernels_.push_back(
           Kernel{std::string("function ") + name,
-                 [operation = operation](const Columns3<double>& at, std::size_t count, Columns3<double>& results) {
+                 [program](const Columns3<double>& at, std::size_t count, Columns3<double>& results) {
                    results = at;
-                   evaluate_elementary(operation, results.of[0].at.data(), results.of[1].at.data(), count);
+                   const double* const from[] = {at.of[0].at.data(), at.of[1].at.data(), at.of[2].at.data()};
+                   double* const to = results.of[0].at.data();
+                   Evaluation evaluation;
+                   program->evaluate_many(from, &to, count, evaluation);
                  }});
     }
   }
