@@ -30,26 +30,40 @@ Vec3 corner_below(const Vec3& p) {
 }
 
 /// Cells in which the random point that is nearest to a point in the middle one may be: at most one of the steps is 2.
-constexpr std::size_t kNear = 81;
-const std::array<Vec3, kNear>& near_cells() {
-  static const std::array<Vec3, kNear> cells = [] {
-    std::array<Vec3, kNear> result;
-    std::size_t count = 0;
+/// The middle one and those that touch it come first.
+constexpr std::size_t kNear = 81, kTouching = 27;
+constexpr std::size_t kRoom = 88, kBehindTouching = 32;  // whole numbers of vectors
+struct NearCells {
+  struct Cell {
+    Vec3 step;
+    std::size_t place;  ///< among NearPoints
+  };
+  std::array<Cell, kNear> cells;        ///< in the order of their numbers, which decides between equal distances
+  std::array<double, kRoom> number_at;  ///< of the cell at a place; infinite: none
+
+  NearCells() {
+    number_at.fill(INFINITY);
+    std::size_t number = 0, near = 0, far = kBehindTouching;
     for (int x = -2; x <= 2; ++x) {
       for (int y = -2; y <= 2; ++y) {
         for (int z = -2; z <= 2; ++z) {
-          if ((std::abs(x) == 2) + (std::abs(y) == 2) + (std::abs(z) == 2) <= 1) result[count++] = Vec3(x, y, z);
+          const int far_steps = (std::abs(x) == 2) + (std::abs(y) == 2) + (std::abs(z) == 2);
+          if (far_steps > 1) continue;
+          const std::size_t place = far_steps == 0 ? near++ : far++;
+          number_at[place] = static_cast<double>(number);
+          cells[number++] = {Vec3(x, y, z), place};
         }
       }
     }
-    return result;
-  }();
-  return cells;
-}
+  }
+  static const NearCells& get() {
+    static const NearCells cells;
+    return cells;
+  }
+};
 
-/// Points of one cell and those about it; behind them, up to a whole number of vectors, some that are near to nothing.
+/// Points of one cell and those about it; elsewhere some that are near to nothing.
 struct NearPoints {
-  static constexpr std::size_t kRoom = 88;
   std::array<std::array<double, kRoom>, 3> at;
   Vec3 corner{0.0};
   bool is_known = false;
@@ -61,14 +75,22 @@ const NearPoints& points_about(const Vec3& corner) {
   thread_local std::array<NearPoints, kKept> kept;
   NearPoints& near = kept[cell_hash(corner.x, corner.y, corner.z) % kKept];
   if (near.is_known && near.corner == corner) return near;
-  for (std::size_t i = 0; i < kNear; ++i) {
-    const Vec3 point = point_in_cell(corner + near_cells()[i]);
-    for (std::size_t axis = 0; axis < 3; ++axis) near.at[axis][i] = point[static_cast<int>(axis)];
+  for (std::array<double, kRoom>& axis : near.at) axis.fill(INFINITY);
+  for (const NearCells::Cell& cell : NearCells::get().cells) {
+    const Vec3 point = point_in_cell(corner + cell.step);
+    for (std::size_t axis = 0; axis < 3; ++axis) near.at[axis][cell.place] = point[static_cast<int>(axis)];
   }
-  for (std::array<double, NearPoints::kRoom>& axis : near.at) std::fill(axis.begin() + kNear, axis.end(), INFINITY);
   near.corner = corner;
   near.is_known = true;
   return near;
+}
+
+/// Whether points of cells that do not touch the middle one, which are at least 1 away along an axis, are further than
+/// what has this sum of distances along the axes, raised to the metric.
+bool is_nearer_than_others(double sum, const Vec3& place, double metric) {
+  constexpr double kFarOut = 1e6, kHighestMetric = 100.0;  // rounding counts beyond
+  const double out = std::max({std::abs(place.x), std::abs(place.y), std::abs(place.z)});
+  return sum < 0.9 && out < kFarOut && metric > 0.0 && metric < kHighestMetric;
 }
 
 }  // namespace
@@ -110,18 +132,9 @@ HWY_INLINE Least least_of(const Least& a, const Least& b) {
            low(low(a.of[2], b.of[2]), low(high(a.of[1], b.of[0]), high(a.of[0], b.of[1])))}};
 }
 
-/// Finds the three least distances from a place to points about it, before their root is taken. A distance that is no
-/// number counts as far.
+/// The three least of each lane become those of all.
 template <class L>
-HWY_INLINE Least least_sums(const Vec3& place, double metric, const NearPoints& points) {
-  const Vec3Of<L> p = everywhere<L>(place);
-  L least[3] = {L(kInfinite), L(kInfinite), L(kInfinite)};
-  for (std::size_t i = 0; i < kNear; i += L::kCount) {
-    const L sum = metric_sum(near_points<L>(points, i) - p, metric);
-    least[2] = min(least[2], max(sum, least[1]));
-    least[1] = min(least[1], max(sum, least[0]));
-    least[0] = min(least[0], sum);
-  }
+HWY_INLINE Least least_of_lanes(const L (&least)[3]) {
   double sums[3][L::kCount];
   for (std::size_t k = 0; k < 3; ++k) least[k].store(sums[k]);
   Least all[L::kCount];
@@ -132,30 +145,49 @@ HWY_INLINE Least least_sums(const Vec3& place, double metric, const NearPoints& 
   return all[0];
 }
 
-/// The number of the nearest point, the first of several. `signed_steps`: with metric 1 steps are not taken without their
-/// signs.
+/// Finds the three least distances from a place to points about it, before their root is taken. A distance that is no
+/// number counts as far.
+template <class L>
+HWY_INLINE Least least_sums(const Vec3& place, double metric, const NearPoints& points) {
+  const Vec3Of<L> p = everywhere<L>(place);
+  L least[3] = {L(kInfinite), L(kInfinite), L(kInfinite)};
+  for (std::size_t i = 0; i < kRoom; i += L::kCount) {
+    if (i == kBehindTouching) {
+      const Least touching = least_of_lanes(least);
+      if (is_nearer_than_others(touching.of[2], place, metric)) return touching;
+    }
+    const L sum = metric_sum(near_points<L>(points, i) - p, metric);
+    least[2] = min(least[2], max(sum, least[1]));
+    least[1] = min(least[1], max(sum, least[0]));
+    least[0] = min(least[0], sum);
+  }
+  return least_of_lanes(least);
+}
+
+/// The place of the nearest point; of several that with the lowest number. `signed_steps`: with metric 1 steps are not
+/// taken without their signs.
 template <class L>
 HWY_INLINE std::size_t nearest_of(const Vec3& place, double metric, bool signed_steps, const NearPoints& points) {
+  const NearCells& cells = NearCells::get();
   const Vec3Of<L> p = everywhere<L>(place);
-  L least = kInfinite, first = 0.0;  // of each lane: where the vector begins that its least came from
-  for (std::size_t i = 0; i < kNear; i += L::kCount) {
+  L least = kInfinite, number = 0.0;
+  for (std::size_t i = 0; i < kRoom; i += L::kCount) {
     const Vec3Of<L> way = near_points<L>(points, i) - p;
     const L sum = signed_steps && metric == 1.0 ? way.x + way.y + way.z : metric_sum(way, metric);
-    first = select(sum < least, L(static_cast<double>(i)), first);
+    const L own = L::load(&cells.number_at[i]);
+    const auto nearer = (sum < least) | ((sum == least) & (sum < kInfinite) & (own < number));
+    number = select(nearer, own, number);
     least = min(least, sum);
   }
-  double sums[L::kCount], begins[L::kCount];
+  double sums[L::kCount], numbers[L::kCount];
   least.store(sums);
-  first.store(begins);
-  std::size_t best = 0, nearest = static_cast<std::size_t>(begins[0]);
+  number.store(numbers);
+  std::size_t best = 0;
   for (std::size_t lane = 1; lane < L::kCount; ++lane) {
-    const std::size_t number = static_cast<std::size_t>(begins[lane]) + lane;
-    if (sums[lane] < sums[best] || (sums[lane] == sums[best] && sums[lane] < kInfinite && number < nearest)) {
-      best = lane;
-      nearest = number;
-    }
+    const bool is_tie = sums[lane] == sums[best] && sums[lane] < kInfinite;
+    if (sums[lane] < sums[best] || (is_tie && numbers[lane] < numbers[best])) best = lane;
   }
-  return nearest;
+  return cells.cells[static_cast<std::size_t>(numbers[best])].place;
 }
 
 Vec3 nearest_point(const Vec3& place, double metric, bool signed_steps) {
