@@ -16,27 +16,26 @@ namespace HWY_NAMESPACE {
 void run_steps(const RowProgram& program, const double* const* arguments, double* result, std::size_t count,
                Evaluation& evaluation) {
   std::array<RowProgram::Row, RowProgram::kMostRows> own;
+  const double* row[Function::kMostParameters + RowProgram::kMostConstants + RowProgram::kMostRows];
   const std::size_t parameters = program.parameters();
   const std::size_t given = parameters + program.constants().size();
-  const RowProgram::Row* constants = program.constants().data();
-  const auto row = [&](std::uint32_t number) {
-    if (number >= given) return static_cast<const double*>(own[number - given].at.data());
-    return number < parameters ? arguments[number] : constants[number - parameters].at.data();
-  };
+  for (std::size_t i = 0; i < parameters; ++i) row[i] = arguments[i];
+  for (std::size_t i = parameters; i < given; ++i) row[i] = program.constants()[i - parameters].at.data();
+  for (std::size_t i = 0; i < program.rows(); ++i) row[given + i] = own[i].at.data();
   for (const RowProgram::Step& step : program.steps()) {
     if (step.callee == nullptr) {
-      const double* const from[4] = {row(step.from[0]), row(step.from[1]), row(step.from[2]), row(step.from[3])};
+      const double* const from[4] = {row[step.from[0]], row[step.from[1]], row[step.from[2]], row[step.from[3]]};
       operate<Lanes>(step.instruction, from, own[step.to[0] - given].at.data(), count);
       continue;
     }
     const double* rows[Function::kMostParameters];
     double* results[Function::kMostResults];
     const std::uint32_t* numbers = program.call_rows().data() + step.from[0];
-    for (std::size_t p = 0; p < step.callee->parameter_count(); ++p) rows[p] = row(numbers[p]);
+    for (std::size_t p = 0; p < step.callee->parameter_count(); ++p) rows[p] = row[numbers[p]];
     for (std::size_t r = 0; r < step.callee->result_count(); ++r) results[r] = own[step.to[r] - given].at.data();
     step.callee->evaluate_many(rows, results, count, evaluation);
   }
-  std::copy_n(row(program.result()), count, result);
+  std::copy_n(row[program.result()], count, result);
 }
 
 }  // namespace HWY_NAMESPACE

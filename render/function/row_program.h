@@ -14,13 +14,14 @@ namespace firstlight::render {
 /// Instructions without loops, as steps from rows of numbers to rows: up to kPoints points at a time. What is worked out
 /// twice is one step, and short programs that are called become part of the caller.
 ///
-/// Memory   half a kilobyte for each different constant.
+/// Memory   half a kilobyte for each of some different constants.
 /// Threads  Immutable.
 class RowProgram {
  public:
   /// Enough to make a step's dispatch cheap, few enough to keep the rows in the nearest cache.
   static constexpr std::size_t kPoints = 64;
-  static constexpr std::size_t kMostRows = 80;
+  static constexpr std::size_t kMostRows = 80;        ///< of its own
+  static constexpr std::size_t kMostConstants = 100;  ///< kept as rows; others are steps
   struct alignas(64) Row {
     std::array<double, kPoints> at;
   };
@@ -44,6 +45,7 @@ class RowProgram {
   std::span<const Row> constants() const { return constants_; }
   std::span<const Step> steps() const { return steps_; }
   std::span<const std::uint32_t> call_rows() const { return call_rows_; }
+  std::size_t rows() const { return rows_; }
   std::uint32_t result() const { return result_; }
 
  private:
@@ -53,6 +55,7 @@ class RowProgram {
   std::vector<Row> constants_;
   std::vector<Step> steps_;
   std::vector<std::uint32_t> call_rows_;
+  std::size_t rows_ = 0;  ///< its own
   std::uint32_t result_ = 0;
 };
 

@@ -73,7 +73,7 @@ class RowProgram::Maker {
       const Instruction& instruction = values_[i].instruction;
       if (last_use_[i] == kNone) continue;
       if (instruction.operation == Operation::parameter) row[i] = instruction.index;
-      if (instruction.operation != Operation::constant) continue;
+      if (instruction.operation != Operation::constant || program.constants_.size() == kMostConstants) continue;
       row[i] = static_cast<std::uint32_t>(parameters + program.constants_.size());
       program.constants_.emplace_back().at.fill(instruction.value);
     }
@@ -82,13 +82,14 @@ class RowProgram::Maker {
       if (last_use_[i] != kNone && row[i] == kNone) add_step(i, row, program);
     }
     program.result_ = row[result];
+    program.rows_ = rows_;
     return rows_ <= kMostRows;
   }
 
  private:
   std::uint32_t add(Value value) {
     const auto number = static_cast<std::uint32_t>(values_.size());
-    if (is_shared_ || value.instruction.operation == Operation::constant) {
+    if (is_shared_) {
       const auto [found, is_new] = numbers_.try_emplace(key_of(value), number);
       if (!is_new) return found->second;
     }
@@ -152,7 +153,7 @@ class RowProgram::Maker {
     Step step{value.instruction, value.callee, {}, {}};
     if (value.callee == nullptr) {
       for (std::size_t k = 0; k < step.from.size(); ++k) {
-        step.from[k] = row[value.operands[std::min(k, value.operands.size() - 1)]];
+        if (!value.operands.empty()) step.from[k] = row[value.operands[std::min(k, value.operands.size() - 1)]];
       }
       give_back(number, row);  // a step may write where it has read, but a call may not
       step.to[0] = row[number] = take_row();

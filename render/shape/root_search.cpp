@@ -121,7 +121,7 @@ class RootSearch::Rounds {
   std::uint64_t run(std::uint64_t who) {
     room_.now->size = 0;
     for (std::uint64_t bits = who; bits != 0; bits &= bits - 1) begin(static_cast<std::size_t>(__builtin_ctzll(bits)));
-    for (int round = 0; room_.now->size != 0 && round < kMostRounds && !Interrupt::asked(); ++round) halve();
+    for (int round = 0; open_ != 0 && round < kMostRounds && !Interrupt::asked(); ++round) halve();
     return found_;
   }
 
@@ -151,6 +151,7 @@ class RootSearch::Rounds {
     if (is_short) return find(ray, part_.end[ray]);
     halves_.length[ray] = 0.5 * length;
     halves_.climb[ray] = 0.5 * climb;
+    open_ |= std::uint64_t{1} << ray;
     room_.now->add(part_.begin[ray], part_.at_begin[ray], part_.end[ray], part_.at_end[ray], ray);
   }
   void find(std::size_t ray, double depth) {
@@ -166,9 +167,7 @@ class RootSearch::Rounds {
     fields_.evaluate({middles.point[0].data(), middles.point[1].data(), middles.point[2].data()}, padded(now.size),
                      middles.value.data());
     HWY_DYNAMIC_DISPATCH(judge_halves)(now, fields_, halves_, part_.high, accuracy_, middles);
-    room_.next->size = 0;
-    std::size_t first = 0;
-    while (first < now.size) first = next_of_ray(first);
+    choose_next();
     std::swap(room_.now, room_.next);
   }
   static std::size_t padded(std::size_t size) { return (size + 7) / 8 * 8; }
@@ -184,55 +183,75 @@ class RootSearch::Rounds {
     }
   }
 
-  /// What the ray whose stretches begin with `i` halves in the next round, up to the first that ends below 0, for there
-  /// a root is to be expected. Where the next ray's stretches begin.
-  std::size_t next_of_ray(std::size_t i) {
+  /// Takes the halves that are to be looked at into the next round: of each ray those up to the first that ends below 0,
+  /// for there a root is to be expected. Others are put off.
+  void choose_next() {
     const Stretches& now = *room_.now;
     const Middles& middles = *room_.middles;
-    const auto number = now.ray[i];
-    const auto ray = static_cast<std::size_t>(number);
-    Stretches& next = *room_.next;
-    std::vector<PutOff>& put_off = room_.put_off[ray];
-    const std::size_t mark = put_off.size();
-    const std::size_t start = next.size;
-    const bool is_short = halves_.length[ray] < accuracy_;
-    bool is_found = false;
-    bool is_full = false;
-    const auto take = [&](double begin, double at_begin, double end, double at_end) {
-      if (is_short) {
-        if (!is_found) find(ray, end);
-        is_found = true;
-      } else if (!is_full) {
-        next.add(begin, at_begin, end, at_end, ray);
-        is_full = at_end < 0.0 || next.size - start == kMostOfRay;
-      } else {
-        put_off.push_back({begin, at_begin, end, at_end, halves_.length[ray], halves_.climb[ray]});
-      }
+    room_.next->size = 0;
+    std::uint64_t going_on = 0;
+    Chosen of;
+    const auto finish = [&] {
+      if (of.ray == kNoRay) return;
+      if (of.has_some) going_on |= std::uint64_t{1} << of.ray;
+      std::vector<PutOff>& put_off = room_.put_off[of.ray];
+      std::reverse(put_off.begin() + static_cast<std::ptrdiff_t>(of.put_off), put_off.end());
     };
-    for (; i < now.size && now.ray[i] == number; ++i) {
-      const unsigned bit = i % 8;
-      if ((middles.nearer[i / 8] >> bit & 1u) != 0) {
-        take(now.begin[i], now.at_begin[i], middles.depth[i], middles.value[i]);
-      }
-      if ((middles.further[i / 8] >> bit & 1u) != 0) {
-        take(middles.depth[i], middles.value[i], now.end[i], now.at_end[i]);
+    for (std::size_t i = 0; i < now.size; i += 8) {
+      const unsigned nearer = middles.nearer[i / 8], further = middles.further[i / 8];
+      for (unsigned bits = nearer | further; bits != 0; bits &= bits - 1) {
+        const auto bit = static_cast<unsigned>(__builtin_ctz(bits));
+        const std::size_t at = i + bit;
+        if (at >= now.size) break;
+        const auto ray = static_cast<std::size_t>(now.ray[at]);
+        if (ray != of.ray) {
+          finish();
+          of = {ray, halves_.length[ray] < accuracy_, false, false, room_.next->size, room_.put_off[ray].size()};
+        }
+        if ((nearer >> bit & 1u) != 0) {
+          take(of, now.begin[at], now.at_begin[at], middles.depth[at], middles.value[at]);
+        }
+        if ((further >> bit & 1u) != 0) take(of, middles.depth[at], middles.value[at], now.end[at], now.at_end[at]);
       }
     }
-    if (is_found) return i;
-    std::reverse(put_off.begin() + static_cast<std::ptrdiff_t>(mark), put_off.end());
-    if (next.size == start) {
-      take_up(ray);
-    } else {
+    finish();
+    const std::uint64_t left = open_ & ~going_on & ~found_;
+    open_ = going_on;
+    for (std::uint64_t bits = going_on; bits != 0; bits &= bits - 1) {
+      const auto ray = static_cast<std::size_t>(__builtin_ctzll(bits));
       halves_.length[ray] *= 0.5;
       halves_.climb[ray] *= 0.5;
     }
-    return i;
+    for (std::uint64_t bits = left; bits != 0; bits &= bits - 1)
+      take_up(static_cast<std::size_t>(__builtin_ctzll(bits)));
+  }
+  static constexpr std::size_t kNoRay = kRaysAtOnce;
+  /// A ray whose halves are being chosen.
+  struct Chosen {
+    std::size_t ray = kNoRay;
+    bool is_short = false;  ///< they are answers
+    bool has_some = false;
+    bool is_full = false;
+    std::size_t first = 0;    ///< among the next
+    std::size_t put_off = 0;  ///< before
+  };
+  void take(Chosen& of, double begin, double at_begin, double end, double at_end) {
+    if (of.is_short) {
+      if ((found_ >> of.ray & 1u) == 0) find(of.ray, end);
+    } else if (!of.is_full) {
+      room_.next->add(begin, at_begin, end, at_end, of.ray);
+      of.has_some = true;
+      of.is_full = at_end < 0.0 || room_.next->size - of.first == kMostOfRay;
+    } else {
+      room_.put_off[of.ray].push_back({begin, at_begin, end, at_end, halves_.length[of.ray], halves_.climb[of.ray]});
+    }
   }
   /// Goes on with the nearest stretches that were put off, which have been halved as often.
   void take_up(std::size_t ray) {
     Stretches& next = *room_.next;
     std::vector<PutOff>& put_off = room_.put_off[ray];
     if (put_off.empty()) return;
+    open_ |= std::uint64_t{1} << ray;
     const double length = put_off.back().length;
     halves_.length[ray] = 0.5 * length;
     halves_.climb[ray] = 0.5 * put_off.back().climb;
@@ -250,6 +269,7 @@ class RootSearch::Rounds {
   Column<double>& root_;
   Room& room_;
   Halves halves_;
+  std::uint64_t open_ = 0;
   std::uint64_t found_ = 0;
 };
 
