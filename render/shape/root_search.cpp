@@ -24,8 +24,9 @@ constexpr std::size_t kMostStretches = kMostOfRay * kRaysAtOnce;
 constexpr int kMostRounds = 50'000;
 constexpr int kMostEvaluations = 1'000'000;
 
+/// With room behind, so that equal places of the rows do not compete for one place in the cache.
 template <class T>
-using Row = std::array<T, kMostStretches>;
+using Row = std::array<T, kMostStretches + 40>;
 
 /// Stretches of all rays; those of a ray follow each other, the nearest first, and have been halved as often.
 struct Stretches {
