@@ -1,13 +1,17 @@
 #pragma once
 
+#include "render/function/internal.h"
+#include "render/function/program.h"
 #include "render/math/transform.h"
 #include "render/shape/bicubic_patch.h"
 #include "render/shape/blob.h"
 #include "render/shape/height_field.h"
+#include "render/shape/isosurface.h"
 #include "render/shape/julia_fractal.h"
 #include "render/shape/lathe.h"
 #include "render/shape/mesh.h"
 #include "render/shape/ovus.h"
+#include "render/shape/parametric.h"
 #include "render/shape/poly.h"
 #include "render/shape/primitives.h"
 #include "render/shape/prism.h"
@@ -19,6 +23,7 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <memory>
 #include <string>
 #include <utility>
 #include <vector>
@@ -144,6 +149,49 @@ inline ShapePtr julia_of(JuliaFractalParameters::Algebra algebra, JuliaFunction 
   return make_julia_fractal(julia);
 }
 
+/// y - 0.3 sin(7 x): with a gradient of 1.1 a ray may miss some of it.
+inline IsosurfaceParameters waves() {
+  IsosurfaceParameters parameters;
+  parameters.function = std::make_shared<Program>(std::vector<Instruction>{{Operation::parameter, 0, 1, 0.0},
+                                                                           {Operation::parameter, 0, 0, 0.0},
+                                                                           {Operation::multiply_constant, 0, 0, 7.0},
+                                                                           {Operation::sine, 0, 0, 0.0},
+                                                                           {Operation::multiply_constant, 0, 0, 0.3},
+                                                                           {Operation::subtract, 0, 0, 0.0}},
+                                                  3);
+  return parameters;
+}
+inline ShapePtr open_waves() {
+  IsosurfaceParameters parameters = waves();
+  parameters.container = ContainerSphere{Vec3(0.1, 0.0, 0.0), 1.2};
+  parameters.open = true;
+  parameters.max_gradient = 2.5;
+  parameters.max_trace = IsosurfaceParameters::kMostTraces;
+  return make_isosurface(parameters);
+}
+inline ShapePtr noisy_ball() {
+  IsosurfaceParameters parameters;
+  parameters.function = make_internal(76);
+  parameters.threshold = 0.5;
+  parameters.evaluate = std::array<double, 3>{3.0, 1.2, 0.95};
+  parameters.max_trace = 3;
+  return make_isosurface(parameters);
+}
+inline ShapePtr curved_sheet() {
+  const auto argument = [](std::uint16_t index, std::vector<Instruction> then) {
+    std::vector<Instruction> instructions{{Operation::parameter, 0, index, 0.0}};
+    instructions.insert(instructions.end(), then.begin(), then.end());
+    return std::make_shared<Program>(instructions, 3);
+  };
+  ParametricParameters parameters;
+  parameters.functions = {argument(0, {}), argument(1, {{Operation::sine, 0, 0, 0.0}}),
+                          argument(0, {{Operation::square, 0, 0, 0.0}})};
+  parameters.low = Vec2(-1.0, -1.0);
+  parameters.max_gradient = 2.0;
+  parameters.accuracy = 0.01;
+  return make_parametric(parameters);
+}
+
 /// Shapes about the origin whose formulas are over lanes, and some whose are not.
 inline std::vector<NamedShape> shapes_of_all_kinds() {
   const Transform turned = Transform::scaling(Vec3(1.3, 0.7, 1.0))
@@ -178,6 +226,10 @@ inline std::vector<NamedShape> shapes_of_all_kinds() {
       {"mesh", ball_of_triangles()},
       {"turned mesh", ball_of_triangles()->placed(turned)},
       {"bicubic patch", bent_patch()},
+      {"isosurface", make_isosurface(waves())},
+      {"open isosurface", open_waves()->placed(turned)},
+      {"isosurface that learns its gradient", noisy_ball()},
+      {"parametric surface", curved_sheet()},
   };
   for (NamedShape& shape : shapes_of_equations()) shapes.push_back(std::move(shape));
   const std::size_t count = shapes.size();
@@ -213,7 +265,5 @@ inline RayColumns rays_from(const Columns3<double>& points, std::size_t count) {
     rays.origin.set(i, p);
     rays.direction.set(i, unit(aim - p));
   }
-  return rays;
-}
 
 }  // namespace firstlight::render
