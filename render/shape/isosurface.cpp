@@ -43,17 +43,10 @@ struct OneRay {
 /// Takes those of a block.
 class IntoSlots {
  public:
-  IntoSlots(const RaysAndPlace& asked, Slots& slots) : asked_(asked), slots_(slots), first_(slots.size()) {}
+  IntoSlots(const RaysAndPlace& asked, Slots& slots) : asked_(asked), lists_(asked.shape, slots, true) {}
 
   void add(std::size_t ray, double depth, std::uint32_t face = 0) {
-    const std::size_t number = first_ + count_[ray]++;
-    if (number == slots_.size()) slots_.add(asked_.shape);
-    if (number >= slots_.size()) return;  // there is no room
-    Slot& slot = slots_[number];
-    slot.rays |= std::uint64_t{1} << ray;
-    slot.depth[ray] = depth;
-    slot.has_faces = true;
-    slot.own_details().face[ray] = face;
+    lists_.add(ray, depth, face, {});
     if (asked_.nearest_only != nullptr && depth > asked_.nearest_only->low[ray]) enough_ |= std::uint64_t{1} << ray;
   }
   bool is_enough(std::size_t ray) const { return (enough_ >> ray & 1u) != 0; }
@@ -63,9 +56,7 @@ class IntoSlots {
 
  private:
   const RaysAndPlace& asked_;
-  Slots& slots_;
-  std::size_t first_;
-  std::array<std::uint8_t, kRaysAtOnce> count_{};
+  SlotLists lists_;
   std::uint64_t enough_ = 0;
 };
 

@@ -49,12 +49,22 @@ struct Rectangle {
   double longer_side() const { return std::max(high.x - low.x, high.y - low.y); }
   int split_axis() const { return high.y - low.y > high.x - low.x ? 1 : 0; }
   /// The lower and the upper half along the longer side, of which nothing is known.
-  std::array<Rectangle, 2> halves() const {
-    std::array<Rectangle, 2> both = {Rectangle{low, high}, Rectangle{low, high}};
+  void halve(std::array<Rectangle, 2>& both) const {
+    for (Rectangle& half : both) {
+      half.low = low;
+      half.high = high;
+      half.is_known = {};
+      half.depth = half.stretch = 0.0;
+      half.latest_begin = -kBoundless;
+    }
     const int axis = split_axis();
     both[0].high[axis] = both[1].low[axis] = (high[axis] + low[axis]) / 2.0;
     both[0].number = std::min(2 * number, kMostNumber);
     both[1].number = both[0].number + 1;
+  }
+  std::array<Rectangle, 2> halves() const {
+    std::array<Rectangle, 2> both;
+    halve(both);
     return both;
   }
 };
@@ -75,22 +85,19 @@ struct Slab {
 /// How far a ray may meet a rectangle.
 class Approach {
  public:
-  Approach() = default;
-  /// `part`: the depths that count.
-  Approach(const Ray& ray, const Range& part) : ray_(ray), part_(part) {}
-
-  /// Whether it may go on with the next axis, along which the rectangle reaches over `range`.
-  bool next(const Range& range, Rectangle& rectangle) {
+  void start() { count_ = 0; }
+  /// Whether it may go on with the next axis, along which the rectangle reaches over `range`, at the depths in `part`.
+  bool next(const Ray& ray, const Range& part, const Range& range, Rectangle& rectangle) {
     const int axis = count_++;
     Slab& slab = slabs_[static_cast<std::size_t>(axis)];
-    const double o = ray_.origin[axis];
-    const double d = ray_.direction[axis];
+    const double o = ray.origin[axis];
+    const double d = ray.direction[axis];
     slab.is_along = std::abs(d) < kEpsilon;
     if (slab.is_along) return !(range.high < o || range.low > o);
     slab.begin = (range.high - o) / d;
     slab.end = (range.low - o) / d;
     if (slab.begin > slab.end) std::swap(slab.begin, slab.end);
-    if (slab.begin > part_.high || slab.end < part_.low) return false;
+    if (slab.begin > part.high || slab.end < part.low) return false;
     for (int other = 0; other < axis; ++other) {
       const Slab& before = slabs_[static_cast<std::size_t>(other)];
       if (!before.is_along && (slab.begin > before.end || slab.end < before.begin)) return false;
@@ -102,8 +109,6 @@ class Approach {
   }
 
  private:
-  Ray ray_{};
-  Range part_{};
   std::array<Slab, 3> slabs_;
   int count_ = 0;
 };
@@ -134,8 +139,8 @@ class Walk {
       if (!(std::min(here_.longer_side(), here_.stretch) < accuracy_)) {
         if (waiting_.size() >= kMostWaiting) continue;
         ++count_;
-        halves_ = here_.halves();
-        approaches_ = {Approach(ray_, depths_), Approach(ray_, depths_)};
+        here_.halve(halves_);
+        for (Approach& approach : approaches_) approach.start();
         is_met_ = {true, true};
         return true;
       }
@@ -151,7 +156,8 @@ class Walk {
   std::array<Rectangle, 2>& halves() { return halves_; }
   /// Whether the ray may meet any of the halves, along the next axis too.
   bool meets(const std::array<Range, 2>& ranges) {
-    for (std::size_t i = 0; i < 2; ++i) is_met_[i] = is_met_[i] && approaches_[i].next(ranges[i], halves_[i]);
+    for (std::size_t i = 0; i < 2; ++i)
+      is_met_[i] = is_met_[i] && approaches_[i].next(ray_, depths_, ranges[i], halves_[i]);
     return is_met_[0] || is_met_[1];
   }
   /// The halves that are met wait, the lower one last.
@@ -391,9 +397,9 @@ struct Parametric {
   /// Adds the whole if the ray may meet it.
   bool add_whole(const Ray& ray, const Range& depths, Walk& walk) const {
     Rectangle whole{p.low, p.high};
-    Approach approach(ray, depths);
+    Approach approach;
     for (const std::vector<Range>& ranges : kept) {
-      if (!approach.next(ranges[1], whole)) return false;
+      if (!approach.next(ray, depths, ranges[1], whole)) return false;
     }
     walk.add(whole);
     return true;

@@ -10,10 +10,17 @@
 
 namespace firstlight::render {
 
-/// The first result of a function of x, y and z at many points.
+/// The first result of a function of x, y and z at many points. A single one is asked for alone, which takes less.
 inline void evaluate_field(const Function& function, const std::array<const double*, 3>& points, std::size_t count,
                            double* values, Evaluation& evaluation) {
   if (count == 0) return;
+  if (count == 1) {
+    const std::array<double, 3> point{*points[0], *points[1], *points[2]};
+    std::array<double, Function::kMostResults> found;
+    function.evaluate(point.data(), found.data(), evaluation);
+    *values = found[0];
+    return;
+  }
   const std::size_t more = function.result_count() - 1;
   const auto others = more == 0 ? nullptr : std::make_unique_for_overwrite<double[]>(more * count);
   std::array<double*, Function::kMostResults> results{values};

@@ -165,8 +165,8 @@ class RootSearch::Rounds {
     Middles& middles = *room_.middles;
     pad(*room_.now);
     HWY_DYNAMIC_DISPATCH(find_middles)(now, fields_.rays(), halves_.length, middles);
-    fields_.evaluate({middles.point[0].data(), middles.point[1].data(), middles.point[2].data()}, padded(now.size),
-                     middles.value.data());
+    fields_.evaluate({middles.point[0].data(), middles.point[1].data(), middles.point[2].data()},
+                     now.size == 1 ? 1 : padded(now.size), middles.value.data());
     HWY_DYNAMIC_DISPATCH(judge_halves)(now, fields_, halves_, part_.high, accuracy_, middles);
     choose_next();
     std::swap(room_.now, room_.next);

@@ -265,5 +265,7 @@ inline RayColumns rays_from(const Columns3<double>& points, std::size_t count) {
     rays.origin.set(i, p);
     rays.direction.set(i, unit(aim - p));
   }
+  return rays;
+}
 
 }  // namespace firstlight::render
