@@ -159,7 +159,7 @@ TEST(Functions, ProgramsGiveManyPointsWhatTheyGiveOne) {
     Columns arguments;
     for (std::size_t p = 0; p < parameters; ++p) arguments.push_back(numbers.column());
     expect_same_of_many(*program, arguments, "program " + std::to_string(i));
-    if (program->depth() < 10 && callees.size() < 40) callees.push_back(program);
+    if (program->cost() < 1000 && callees.size() < 40) callees.push_back(program);
   }
 }
 
