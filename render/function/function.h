@@ -33,9 +33,9 @@ class Function {
   /// Pre: as many arguments as parameters; room for as many results as there are.
   virtual void evaluate(const double* arguments, double* results, Evaluation& evaluation) const = 0;
 
-  /// The same of `count` points: arguments[p][i] is parameter p of point i, results[r][i] its result r. Costs less than one
-  /// by one where functions are made of instructions or patterns; else it is that. Each point may take as many steps as
-  /// there are; those that the longest took are used up.
+  /// The same of `count` points: arguments[p][i] is parameter p of point i, results[r][i] its result r. Costs less than
+  /// one by one where functions are made of instructions or patterns; else it is that. Each point may take as many
+  /// steps as there are; those that the longest took are used up.
   virtual void evaluate_many(const double* const* arguments, double* const* results, std::size_t count,
                              Evaluation& evaluation) const;
 

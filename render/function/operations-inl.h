@@ -1,5 +1,5 @@
-// The meaning of each operation over a lane type. Included once for each instruction set, so the guard switches back and
-// forth.
+// The meaning of each operation over a lane type. Included once for each instruction set, so the guard switches back
+// and forth.
 #if defined(FIRSTLIGHT_RENDER_FUNCTION_OPERATIONS_INL_H) == defined(HWY_TARGET_TOGGLE)
 #ifdef FIRSTLIGHT_RENDER_FUNCTION_OPERATIONS_INL_H
 #undef FIRSTLIGHT_RENDER_FUNCTION_OPERATIONS_INL_H
@@ -55,8 +55,8 @@ HWY_INLINE L truth(const MaskOf<L>& mask) {
   return select(mask, L(1.0), L(0.0));
 }
 
-/// Does an operation with rows of numbers, which have room for a multiple of eight; `to` may be one of `from`. Pre: it is
-/// no call, loop or parameter.
+/// Does an operation with rows of numbers, which have room for a multiple of eight; `to` may be one of `from`. Pre: it
+/// is no call, loop or parameter.
 template <class L>
 HWY_INLINE void operate(const Instruction& instruction, const double* const* from, double* to, std::size_t count) {
 #define FIRSTLIGHT_EACH(operation, result)               \

@@ -11,8 +11,8 @@
 
 namespace firstlight::render {
 
-/// Instructions without loops, as steps from rows of numbers to rows: up to kPoints points at a time. What is worked out
-/// twice is one step, and short programs that are called become part of the caller.
+/// Instructions without loops, as steps from rows of numbers to rows: up to kPoints points at a time. What is worked
+/// out twice is one step, and short programs that are called become part of the caller.
 ///
 /// Memory   half a kilobyte for each of some different constants.
 /// Threads  Immutable.

@@ -31,8 +31,8 @@ struct Range {
   double high;
 };
 
-/// A rectangle of u and v. Its halves have the numbers 2 n and 2 n + 1; the whole's is 1, and numbers beyond kMostNumber are
-/// not told apart.
+/// A rectangle of u and v. Its halves have the numbers 2 n and 2 n + 1; the whole's is 1, and numbers beyond
+/// kMostNumber are not told apart.
 struct Rectangle {
   static constexpr std::uint32_t kMostNumber = 10'000'000;
   using Corners = std::array<double, 4>;  ///< at (low, low), (low, high), (high, low), (high, high)
@@ -297,8 +297,8 @@ struct Parametric {
     rays.direction.set(i, ray.direction);
   }
 
-  /// Calls take(i, depth, uv) for those rays in `who` that meet the surface. In each round the rays that are still on their
-  /// way go to a rectangle for whose halves a function must be asked.
+  /// Calls take(i, depth, uv) for those rays in `who` that meet the surface. In each round the rays that are still on
+  /// their way go to a rectangle for whose halves a function must be asked.
   template <class Take>
   void meet(const RayColumns& rays, std::uint64_t who, const Take& take) const {
     thread_local std::array<Walk, kRaysAtOnce> walks;

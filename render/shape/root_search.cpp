@@ -184,8 +184,8 @@ class RootSearch::Rounds {
     }
   }
 
-  /// Takes the halves that are to be looked at into the next round: of each ray those up to the first that ends below 0,
-  /// for there a root is to be expected. Others are put off.
+  /// Takes the halves that are to be looked at into the next round: of each ray those up to the first that ends below
+  /// 0, for there a root is to be expected. Others are put off.
   void choose_next() {
     const Stretches& now = *room_.now;
     const Middles& middles = *room_.middles;

@@ -24,14 +24,15 @@ struct SearchedPart {
 /// first, but those whose ends are too far above 0 for the gradient; the answer is the end of the first that is shorter
 /// than `accuracy` and ends below 0. A gradient that is too small so leaves the holes that it leaves there.
 ///
-/// Order    The rays are searched together: in each round, all halve the stretches that they must look at anyway, and the
-///          field is asked for all of these at once. A ray's answer is the same in any company.
+/// Order    The rays are searched together: in each round, all halve the stretches that they must look at anyway,
+///          and the field is asked for all of these at once. A ray's answer is the same in any company.
 /// Threads  One search at a time a thread.
 class RootSearch {
  public:
   RootSearch(const RayFields& fields, double accuracy) : fields_(fields), accuracy_(accuracy) {}
 
-  /// Finds the first root of each ray in `who`; the bits of those that have one. None that lies in a stretch beyond `high`.
+  /// Finds the first root of each ray in `who`; the bits of those that have one. None that lies in a stretch beyond
+  /// `high`.
   std::uint64_t first(std::uint64_t who, const SearchedPart& part, Column<double>& root) const;
 
  private:
@@ -41,9 +42,9 @@ class RootSearch {
   double accuracy_;
 };
 
-/// The same where the gradient is found on the way [POV-Ray 3.7, `evaluate`]: before each search it shrinks by the third
-/// number if it is above the first; it grows where it is less than the second number times one that is met, to the
-/// second number's square times that.
+/// The same where the gradient is found on the way [POV-Ray 3.7, `evaluate`]: before each search it shrinks by the
+/// third number if it is above the first; it grows where it is less than the second number times one that is met, to
+/// the second number's square times that.
 class LearningSearch {
  public:
   LearningSearch(const RayFields& fields, double accuracy, const std::array<double, 3>& evaluate)
