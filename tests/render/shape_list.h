@@ -178,7 +178,7 @@ inline ShapePtr noisy_ball() {
   return make_isosurface(parameters);
 }
 inline ShapePtr curved_sheet() {
-  const auto argument = [](std::uint16_t index, std::vector<Instruction> then) {
+  const auto argument = [](std::uint16_t index, const std::vector<Instruction>& then) {
     std::vector<Instruction> instructions{{Operation::parameter, 0, index, 0.0}};
     instructions.insert(instructions.end(), then.begin(), then.end());
     return std::make_shared<Program>(instructions, 3);
