@@ -18,7 +18,7 @@ namespace firstlight::app {
 
 namespace {
 
-/// What the file's format cannot have is left out; in shades of grey it has all the bits that heights need.
+/// Leaves out what the file's format cannot have; in shades of grey it has all the bits that heights need.
 void keep_to_abilities(const render::FormatAbilities& can, FileForm& form) {
   render::FileNumbers& numbers = form.numbers;
   numbers.alpha &= can.alpha;

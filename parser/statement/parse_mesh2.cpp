@@ -184,7 +184,7 @@ class Mesh2 {
     if (count == 0) reader_.fail(word, "'mesh2' has no triangles");
     while (mesh_.faces.size() < count) {
       Corners& corners = mesh_.faces.emplace_back(parse_corners(reader_, word, mesh_.vertices.size()));
-      // Of a triangle without an end nothing is seen; that without a size stands for it in the lists. [POV-Ray 3.7]
+      // A triangle without an end is not seen; one without a size stands for it in the lists. [POV-Ray 3.7]
       const bool ends = std::ranges::none_of(corners, [&](std::uint32_t corner) { return endless_.contains(corner); });
       if (!ends) corners.fill(corners[0]);
       parse_face_textures(word);

@@ -11,7 +11,7 @@ namespace {
 /// As if a little of the pixel were opaque, where nothing is.
 constexpr float kLeastAlpha = 1e-6f;
 
-/// What is not a number would be handed on from pixel to pixel.
+/// Not a number would be handed on from pixel to pixel.
 float unless_nan(float number) { return std::isnan(number) ? 0.0f : number; }
 
 }  // namespace

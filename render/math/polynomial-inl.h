@@ -100,7 +100,7 @@ HWY_INLINE SignChanges<L> sign_changes(const L* b, Order order) {
   return {count == 1.0, count > 1.0, (index + before / (before - behind)) / static_cast<double>(std::size_t{order})};
 }
 
-/// Of a single interval: by bits, and the division only where it is asked for.
+/// Changes of a single interval: by bits, and the division only where it is asked for.
 template <class Order>
 HWY_INLINE SignChanges<One> sign_changes(const One* b, Order order) {
   std::uint64_t below = 0;

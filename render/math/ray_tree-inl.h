@@ -23,7 +23,7 @@ namespace HWY_NAMESPACE {
 
 namespace hn = hwy::HWY_NAMESPACE;
 
-/// What will be read soon is on its way.
+/// Asks for memory that will be read soon.
 template <class T>
 HWY_INLINE void fetch_ahead(const T& next) {
   for (std::size_t at = 0; at < sizeof(T); at += 64) __builtin_prefetch(reinterpret_cast<const char*>(&next) + at);
@@ -216,7 +216,7 @@ class TreeWalk {
 
   static constexpr float kAway = 1.0f + 0x1p-20f;
   static constexpr double kFar = 0x1p-48;
-  /// What a direction is taken for at least, so that no product is without a number. Within a reach it makes no difference.
+  /// Least size of a direction, so that no product is without a number. Within a reach it makes no difference.
   static constexpr double kLeast = 0x1p-100;
   static constexpr std::size_t kMostWaiting = RayTree::kDeepest * (RayTree::kWidth - 1) + RayTree::kWidth;
 

@@ -47,7 +47,7 @@ float half_area(const Imath::Box3f& box) {
   return size.x * size.y + size.y * size.z + size.z * size.x;
 }
 
-/// What it costs to test so many boxes.
+/// Cost of testing so many boxes.
 float cost_of(std::size_t count, std::size_t leaf_size) {
   return static_cast<float>((count + leaf_size - 1) / leaf_size);
 }

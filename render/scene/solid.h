@@ -19,7 +19,7 @@ namespace firstlight::render {
 constexpr std::uint8_t kHiddenFromPrimary = 1;     ///< no_image
 constexpr std::uint8_t kHiddenFromReflection = 2;  ///< no_reflection
 constexpr std::uint8_t kHiddenFromShadow = 4;      ///< no_shadow
-/// Of the kind of a ray, beside kHiddenFromPrimary: it has come through a surface. Hides nothing as such.
+/// Bit of a ray's kind, beside kHiddenFromPrimary: it has come through a surface. Hides nothing as such.
 constexpr std::uint8_t kSentThrough = 8;
 
 /// Where the inside of a solid may be.

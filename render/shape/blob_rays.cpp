@@ -79,7 +79,7 @@ struct Way {
   }
 };
 
-/// What a thread needs to find crossings, kept for the next time.
+/// Ways of the rays of a block, and the fields on them; a thread keeps them for the next time.
 struct Ways {
   std::vector<Visit> visits;
   std::size_t visit_count = 0;

@@ -42,7 +42,7 @@ HWY_INLINE void add_jobs(Jobs& jobs, std::size_t i, std::uint64_t of_vector, std
   }
 }
 
-/// Of the rays of a block.
+/// Equations of the rays of a block.
 struct DepthEquations {
   PolynomialColumns polynomials;
   Column<double> skipped, length;

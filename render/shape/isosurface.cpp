@@ -154,7 +154,7 @@ struct Isosurface {
   }
   RayFields fields(const RayColumns& rays) const { return {*p.function, p.threshold, rays, p.noise_generator}; }
 
-  /// Of the container's own surface.
+  /// Normal of the container's own surface.
   std::optional<Vec3> container_normal(const Vec3& point, const Crossing& at) const {
     if (at.face != 0) {
       Vec3 side(0.0);
@@ -187,7 +187,7 @@ struct Isosurface {
       if (learnt.gradient < kBoundless) p.max_gradient = std::max(p.max_gradient, learnt.gradient);
     }
   }
-  /// Of the gradient, by the first ray, and how often the function was asked for it.
+  /// Gradient as the first ray has learnt it, and how often the function was asked for it.
   struct Learnt {
     double gradient;
     int evaluations;

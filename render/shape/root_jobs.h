@@ -23,7 +23,7 @@ class RootBatch {
   void solve();
   void clear() { count_ = 0; }
 
-  /// Of the i-th equation, when it is solved.
+  /// Facts of the i-th equation, when it is solved.
   std::size_t ray(std::size_t i) const { return ray_[i]; }
   std::uint32_t part(std::size_t i) const { return part_[i]; }
   std::size_t root_count(std::size_t i) const { return root_count_[i]; }

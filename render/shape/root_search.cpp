@@ -127,7 +127,7 @@ class RootSearch::Rounds {
   }
 
  private:
-  /// What a ray looks at only if nothing is found before.
+  /// A stretch that a ray looks at only if nothing is found before.
   struct PutOff {
     double begin, at_begin, end, at_end, length, climb;
   };
@@ -172,7 +172,7 @@ class RootSearch::Rounds {
     std::swap(room_.now, room_.next);
   }
   static std::size_t padded(std::size_t size) { return (size + 7) / 8 * 8; }
-  /// What stands behind the stretches up to a multiple of eight is like the last.
+  /// Fills what stands behind the stretches up to a multiple of eight with the last.
   static void pad(Stretches& all) {
     const std::size_t last = all.size - 1;
     for (std::size_t i = all.size; i < padded(all.size); ++i) {

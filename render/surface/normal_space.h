@@ -14,7 +14,7 @@ struct NormalSpace {
   const Warps* warps = nullptr;          ///< from the pattern to the space; of all of them transformations alone count
   bool keeps_length = false;             ///< no_bump_scale: a space that stretches normals makes bumps weaker
 
-  /// Of the first `count`.
+  /// Moves the first `count`.
   void into(std::size_t count, Columns3<double>& normals) const;
   void out_of(std::size_t count, Columns3<double>& normals) const;
 };

@@ -36,7 +36,7 @@ class Sky {
                          Column<float>& clear) const;
 
  private:
-  /// What the layers let through that are in front of something.
+  /// Light that the layers let through which are in front of something.
   struct Above;
   /// Sets `colors` to the light of the pigments alone.
   void lay(const Columns3<double>& directions, std::size_t count, Columns3<float>& colors,

@@ -33,8 +33,8 @@ class Veils {
   explicit Veils(const Scene& scene);
 
   bool empty() const { return fogs_.empty() && bows_.empty(); }
-  /// Of the first `count` rays, whose directions have unit length, from the origin to `depth`; of those that are not in
-  /// `who` the veil is none.
+  /// Veils of the first `count` rays, with directions of unit length, from the origin to `depth`; those that are not in
+  /// `who` have none.
   void across(std::uint64_t who, std::size_t count, const RayColumns& rays, const Column<double>& depth,
               std::span<Veil> veils) const;
   /// Whether fogs weaken the light on its way to surfaces.

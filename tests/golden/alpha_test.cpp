@@ -1,4 +1,4 @@
-// What shows through a picture with an alpha channel is what shows through POV-Ray's.
+// The share that shows through a picture with an alpha channel is that of POV-Ray's.
 
 #include "render/image/image_io.h"
 #include "tests/golden/agreement.h"

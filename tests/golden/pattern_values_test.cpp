@@ -53,7 +53,7 @@ const std::vector<std::string> kNoise = {"f_noise3d(x, y, z)",
                                          "f_ridged_mf(x, y, z, 0.3, 3, 5, 0.7, 2, 3)",
                                          "f_hetero_mf(x, y, z, 0.3, 3, 5, 0.7, 0.5, 2)"};
 
-/// What the language itself gives at the place <X, Y, Z>.
+/// Value that the language itself gives at the place <X, Y, Z>.
 const std::vector<std::string> kExpressions = {"vturbulence(2, 0.5, 6, <X,Y,Z>).x", "vturbulence(2, 0.5, 6, <X,Y,Z>).y",
                                                "vturbulence(1.7, 0.3, 3, <X,Y,Z>*0.3).z",
                                                "vturbulence(3, 0.8, 10, <Z,X,Y>).x"};
@@ -149,7 +149,7 @@ std::vector<int> numbers_of(const std::string& program, const std::string& scene
   return numbers;
 }
 
-// What no function can ask, for it depends on the surface and on who looks at it, is read off pictures.
+// Patterns that no function can ask, for they depend on the surface and on who looks at it, are read off pictures.
 TEST(PatternValues, OfSurfacesAreThoseOfPovRay) {
   const std::string head =
       "#version 3.7; global_settings { assumed_gamma 1 }\n"

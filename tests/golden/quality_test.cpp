@@ -43,7 +43,7 @@ TEST(Quality, HasSevenLevelsThatDiffer) {
   EXPECT_EQ(picture_of(9), picture_of(11));
 }
 
-// What fills the space is not asked for, nor light that goes round.
+// Matter that fills the space is not asked for, nor light that goes round.
 TEST(Quality, BelowNineNeedsNoMatter) {
   const ScratchFolder scratch;
   const auto scene =
