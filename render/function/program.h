@@ -35,7 +35,7 @@ class Program final : public Function {
   /// Pre: as many arguments as parameters.
   double evaluate(std::span<const double> arguments) const;
   /// results[i] = value at arguments[p][i] for parameter p. Pre: as many columns as parameters, each as long as
-  /// results.
+  /// results, or empty if no instruction asks for it.
   void evaluate(std::span<const std::span<const double>> arguments, std::span<double> results) const;
   void evaluate_many(const double* const* arguments, double* const* results, std::size_t count,
                      Evaluation& evaluation) const override;

@@ -54,12 +54,14 @@ void RowProgram::evaluate(const double* const* arguments, double* results, std::
   for (std::size_t begin = 0; begin < count; begin += kPoints) {
     const std::size_t points = std::min(kPoints, count - begin);
     if (points % kWidest == 0) {
-      for (std::size_t p = 0; p < parameters_; ++p) rows[p] = arguments[p] + begin;
+      for (std::size_t p = 0; p < parameters_; ++p) rows[p] = arguments[p] == nullptr ? nullptr : arguments[p] + begin;
       HWY_DYNAMIC_DISPATCH(run_steps)(*this, rows.data(), results + begin, points, evaluation);
       continue;
     }
     std::array<Row, Function::kMostParameters> copies;
+    rows.fill(nullptr);
     for (std::size_t p = 0; p < parameters_; ++p) {
+      if (arguments[p] == nullptr) continue;
       std::copy_n(arguments[p] + begin, points, copies[p].at.begin());
       rows[p] = copies[p].at.data();
     }

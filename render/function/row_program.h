@@ -37,7 +37,7 @@ class RowProgram {
   /// Pre: as for Program; the callees live as long.
   RowProgram(std::span<const Instruction> instructions, std::size_t parameters, std::span<const FunctionPtr> callees);
 
-  /// Pre: made with instructions.
+  /// Arguments that no instruction asks for may be null. Pre: made with instructions.
   void evaluate(const double* const* arguments, double* results, std::size_t count, Evaluation& evaluation) const;
 
   // For those who run it. Rows are numbered: those of the parameters, the constants, then its own.

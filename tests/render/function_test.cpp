@@ -7,9 +7,11 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <bit>
 #include <cmath>
 #include <limits>
+#include <span>
 #include <string>
 #include <utility>
 
@@ -160,6 +162,17 @@ TEST(Functions, ProgramsGiveManyPointsWhatTheyGiveOne) {
     for (std::size_t p = 0; p < parameters; ++p) arguments.push_back(numbers.column());
     expect_same_of_many(*program, arguments, "program " + std::to_string(i));
     if (program->cost() < 1000 && callees.size() < 40) callees.push_back(program);
+  }
+}
+
+TEST(Functions, AskForNoArgumentsThatTheyDoNotUse) {
+  const Program program({{Operation::parameter, 0, 1, 0.0}, {Operation::square, 0, 0, 0.0}}, 3);
+  for (const std::size_t count : {std::size_t{64}, std::size_t{13}}) {
+    const std::vector<double> used(count, 3.0);
+    std::vector<double> found(count);
+    const std::array<std::span<const double>, 3> arguments{std::span<const double>(), used, {}};
+    program.evaluate(arguments, found);
+    EXPECT_EQ(found, std::vector<double>(count, 9.0));
   }
 }
 
