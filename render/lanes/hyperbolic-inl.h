@@ -24,7 +24,7 @@ HWY_INLINE L half_exponential(const L& x) {
 }
 
 template <class L>
-HWY_INLINE L hyperbolic_sine(const L& x) {
+FIRSTLIGHT_LANE_FUNCTION L hyperbolic_sine(const L& x) {
   static constexpr double kSeries[] = {0.16666666666666665741,    0.0083333333333333332177, 0.0001984126984126977349,
                                        2.7557319224040339789e-6,  2.5052108364058039289e-8, 1.6059048396350562464e-10,
                                        7.6466253616566573078e-13, 2.8445264169895284539e-15};
@@ -34,13 +34,13 @@ HWY_INLINE L hyperbolic_sine(const L& x) {
   return select(size < 1.0, select(t == 0.0, x, x + x * t * series(t, kSeries)), large);
 }
 template <class L>
-HWY_INLINE L hyperbolic_cosine(const L& x) {
+FIRSTLIGHT_LANE_FUNCTION L hyperbolic_cosine(const L& x) {
   const L size = abs(x);
   const L half = half_exponential(size);
   return select(size > kOneSided, half, half + 0.25 / half);
 }
 template <class L>
-HWY_INLINE L hyperbolic_tangent(const L& x) {
+FIRSTLIGHT_LANE_FUNCTION L hyperbolic_tangent(const L& x) {
   const L size = abs(x);
   const L within = min(size, L(kOneSided));
   const L large = copysign(1.0 - 2.0 / (exponential(2.0 * within) + 1.0), x);
@@ -57,19 +57,19 @@ HWY_INLINE L logarithm_beyond_1(const L& x) {
 constexpr double kLn2 = 0x1.62e42fefa39efp-1, kSquared = 1e150;
 
 template <class L>
-HWY_INLINE L hyperbolic_arc_sine(const L& x) {
+FIRSTLIGHT_LANE_FUNCTION L hyperbolic_arc_sine(const L& x) {
   const L size = abs(x), t = size * size;
   const L near = logarithm_beyond_1(size + t / (1.0 + sqrt(t + 1.0)));
   return copysign(select(size > kSquared, logarithm(size) + kLn2, near), x);
 }
 template <class L>
-HWY_INLINE L hyperbolic_arc_cosine(const L& x) {
+FIRSTLIGHT_LANE_FUNCTION L hyperbolic_arc_cosine(const L& x) {
   const L t = x - 1.0;
   const L near = logarithm_beyond_1(t + sqrt(t * (t + 2.0)));
   return select(x < 1.0, L(kNoNumber), select(x > kSquared, logarithm(x) + kLn2, near));
 }
 template <class L>
-HWY_INLINE L hyperbolic_arc_tangent(const L& x) {
+FIRSTLIGHT_LANE_FUNCTION L hyperbolic_arc_tangent(const L& x) {
   const L size = abs(x);
   return copysign(0.5 * logarithm_beyond_1(2.0 * size / (1.0 - size)), x);
 }

@@ -20,6 +20,16 @@
 #include <cstdint>
 #include <limits>
 
+// Inlined into what calls them; but not where a sanitizer watches: with its code around every access compilers take
+// minutes for some files.
+#ifndef FIRSTLIGHT_LANE_FUNCTION
+#ifdef FIRSTLIGHT_WATCHED
+#define FIRSTLIGHT_LANE_FUNCTION HWY_NOINLINE
+#else
+#define FIRSTLIGHT_LANE_FUNCTION HWY_INLINE
+#endif
+#endif
+
 HWY_BEFORE_NAMESPACE();
 namespace firstlight::render {
 namespace HWY_NAMESPACE {
@@ -113,7 +123,7 @@ HWY_INLINE L exponential_near_0(const L& big, const L& small) {
 
 /// e^x.
 template <class L>
-HWY_INLINE L exponential(const L& x) {
+FIRSTLIGHT_LANE_FUNCTION L exponential(const L& x) {
   constexpr double kLog2E = 0x1.71547652b82fep+0, kLn2High = 0x1.62e42fee00000p-1, kLn2Low = 0x1.a39ef35793c76p-33;
   const L within = clamp(x, -746.0, 710.0);
   const L n = nearest_whole(within * kLog2E);
@@ -151,7 +161,7 @@ HWY_INLINE L artanh_series(const L& t) {
 
 /// Natural logarithm.
 template <class L>
-HWY_INLINE L logarithm(const L& x) {
+FIRSTLIGHT_LANE_FUNCTION L logarithm(const L& x) {
   constexpr double kLn2High = 0x1.62e42fee00000p-1, kLn2Low = 0x1.a39ef35793c76p-33;
   const MaskOf<L> is_plain = (x > 0.0) & (x < kInfinite);
   const auto [exponent, f] = parts_of(select(is_plain, x, L(1.0)));
@@ -188,7 +198,7 @@ HWY_INLINE Exact<L> exact_log2(const L& x) {
 
 /// x^y.
 template <class L>
-HWY_INLINE L power(const L& x, const L& y) {
+FIRSTLIGHT_LANE_FUNCTION L power(const L& x, const L& y) {
   constexpr double kLn2 = 0x1.62e42fefa39efp-1, kLn2Low = 0x1.abc9e3b39803fp-56;
   constexpr double kSteepest = 1e25;  // more, and all powers are 0, 1 or infinite
   constexpr double kAllWhole = 0x1p53;
@@ -285,15 +295,15 @@ HWY_INLINE L sine_of(const Angle<L>& angle, double farther) {
 }
 
 template <class L>
-HWY_INLINE L sine(const L& x) {
+FIRSTLIGHT_LANE_FUNCTION L sine(const L& x) {
   return sine_of(angle_of(x), 0.0);
 }
 template <class L>
-HWY_INLINE L cosine(const L& x) {
+FIRSTLIGHT_LANE_FUNCTION L cosine(const L& x) {
   return sine_of(angle_of(x), 1.0);
 }
 template <class L>
-HWY_INLINE L tangent(const L& x) {
+FIRSTLIGHT_LANE_FUNCTION L tangent(const L& x) {
   const Angle<L> angle = angle_of(x);
   const Exact<L> sine = sine_near_0(angle), cosine = cosine_near_0(angle);
   const MaskOf<L> is_turned = turns_have<0>(angle.turns);
@@ -327,13 +337,13 @@ HWY_INLINE ArcSine<L> arc_sine_parts(const L& x) {
   return {upper, cut_off + root * t * series(t, kSeries), is_small};
 }
 template <class L>
-HWY_INLINE L arc_sine(const L& x) {
+FIRSTLIGHT_LANE_FUNCTION L arc_sine(const L& x) {
   const auto [large, more, is_small] = arc_sine_parts(x);
   const L far = 0.25 * kPiHigh - ((2.0 * more - 0.5 * kPiLow) - (0.25 * kPiHigh - 2.0 * large));
   return copysign(select(is_small, large + more, far), x);
 }
 template <class L>
-HWY_INLINE L arc_cosine(const L& x) {
+FIRSTLIGHT_LANE_FUNCTION L arc_cosine(const L& x) {
   const auto [large, more, is_small] = arc_sine_parts(x);
   const MaskOf<L> is_negative = x < 0.0;
   const L near =
@@ -344,7 +354,7 @@ HWY_INLINE L arc_cosine(const L& x) {
 
 /// The angle of (x, y) from the x axis, from -pi to pi.
 template <class L>
-HWY_INLINE L arc_tangent(const L& y, const L& x) {
+FIRSTLIGHT_LANE_FUNCTION L arc_tangent(const L& y, const L& x) {
   static constexpr double kSeries[] = {-0.33333333333333331483, 0.19999999999999804046,   -0.14285714285659828482,
                                        0.11111111105155446754,  -0.090909087535008772929, 0.076922963750321426968,
                                        -0.06666424885738254924, 0.058789289978347751553,  -0.052304542706502442362,

@@ -88,51 +88,51 @@ HWY_INLINE ComplexOf<L> quotient(const ComplexOf<L>& a, const ComplexOf<L>& b) {
   return select(square == 0.0, complex_zero<L>(), product(a, ComplexOf<L>{b.real / square, -b.imag / square}));
 }
 template <class L>
-HWY_INLINE ComplexOf<L> root(const ComplexOf<L>& z) {
+FIRSTLIGHT_LANE_FUNCTION ComplexOf<L> root(const ComplexOf<L>& z) {
   const L size = sqrt(sqrt(z.real * z.real + z.imag * z.imag));
   const L angle = arc_tangent(z.imag, z.real) / 2.0;
   return select(is_zero(z), complex_zero<L>(), ComplexOf<L>{size * cosine(angle), size * sine(angle)});
 }
 template <class L>
-HWY_INLINE ComplexOf<L> complex_logarithm(const ComplexOf<L>& z) {
+FIRSTLIGHT_LANE_FUNCTION ComplexOf<L> complex_logarithm(const ComplexOf<L>& z) {
   return {logarithm(sqrt(z.real * z.real + z.imag * z.imag)), arc_tangent(z.imag, z.real)};
 }
 template <class L>
-HWY_INLINE ComplexOf<L> complex_exponential(const ComplexOf<L>& z) {
+FIRSTLIGHT_LANE_FUNCTION ComplexOf<L> complex_exponential(const ComplexOf<L>& z) {
   const L size = exponential(z.real);
   return {size * cosine(z.imag), size * sine(z.imag)};
 }
 template <class L>
-HWY_INLINE ComplexOf<L> complex_sine(const ComplexOf<L>& z) {
+FIRSTLIGHT_LANE_FUNCTION ComplexOf<L> complex_sine(const ComplexOf<L>& z) {
   return {sine(z.real) * hyperbolic_cosine(z.imag), cosine(z.real) * hyperbolic_sine(z.imag)};
 }
 template <class L>
-HWY_INLINE ComplexOf<L> complex_hyperbolic_sine(const ComplexOf<L>& z) {
+FIRSTLIGHT_LANE_FUNCTION ComplexOf<L> complex_hyperbolic_sine(const ComplexOf<L>& z) {
   return {hyperbolic_sine(z.real) * cosine(z.imag), hyperbolic_cosine(z.real) * sine(z.imag)};
 }
 template <class L>
-HWY_INLINE ComplexOf<L> complex_cosine(const ComplexOf<L>& z) {
+FIRSTLIGHT_LANE_FUNCTION ComplexOf<L> complex_cosine(const ComplexOf<L>& z) {
   return {cosine(z.real) * hyperbolic_cosine(z.imag), -sine(z.real) * hyperbolic_sine(z.imag)};
 }
 template <class L>
-HWY_INLINE ComplexOf<L> complex_hyperbolic_cosine(const ComplexOf<L>& z) {
+FIRSTLIGHT_LANE_FUNCTION ComplexOf<L> complex_hyperbolic_cosine(const ComplexOf<L>& z) {
   return {hyperbolic_cosine(z.real) * cosine(z.imag), hyperbolic_sine(z.real) * sine(z.imag)};
 }
 template <class L>
-HWY_INLINE ComplexOf<L> complex_tangent(const ComplexOf<L>& z) {
+FIRSTLIGHT_LANE_FUNCTION ComplexOf<L> complex_tangent(const ComplexOf<L>& z) {
   const L below = cosine(2.0 * z.real) + hyperbolic_cosine(2.0 * z.imag);
   return select(below == 0.0, complex_zero<L>(),
                 ComplexOf<L>{sine(2.0 * z.real) / below, hyperbolic_sine(2.0 * z.imag) / below});
 }
 template <class L>
-HWY_INLINE ComplexOf<L> complex_hyperbolic_tangent(const ComplexOf<L>& z) {
+FIRSTLIGHT_LANE_FUNCTION ComplexOf<L> complex_hyperbolic_tangent(const ComplexOf<L>& z) {
   const L below = hyperbolic_cosine(2.0 * z.real) + cosine(2.0 * z.imag);
   return select(below == 0.0, complex_zero<L>(),
                 ComplexOf<L>{hyperbolic_sine(2.0 * z.real) / below, sine(2.0 * z.imag) / below});
 }
 /// ln(i z + sqrt(1 - z^2)) / i
 template <class L>
-HWY_INLINE ComplexOf<L> complex_arc_sine(const ComplexOf<L>& z) {
+FIRSTLIGHT_LANE_FUNCTION ComplexOf<L> complex_arc_sine(const ComplexOf<L>& z) {
   const ComplexOf<L> square = product(z, z);
   const ComplexOf<L> r = root(ComplexOf<L>{1.0 - square.real, -square.imag});
   const ComplexOf<L> l = complex_logarithm(ComplexOf<L>{r.real - z.imag, r.imag + z.real});
@@ -140,20 +140,20 @@ HWY_INLINE ComplexOf<L> complex_arc_sine(const ComplexOf<L>& z) {
 }
 /// ln(z + sqrt(z^2 + to))
 template <class L>
-HWY_INLINE ComplexOf<L> arc_of(const ComplexOf<L>& z, double to) {
+FIRSTLIGHT_LANE_FUNCTION ComplexOf<L> arc_of(const ComplexOf<L>& z, double to) {
   const ComplexOf<L> square = product(z, z);
   const ComplexOf<L> r = root(ComplexOf<L>{square.real + to, square.imag});
   return complex_logarithm(ComplexOf<L>{z.real + r.real, z.imag + r.imag});
 }
 /// ln(z + sqrt(z^2 - 1)) / i
 template <class L>
-HWY_INLINE ComplexOf<L> complex_arc_cosine(const ComplexOf<L>& z) {
+FIRSTLIGHT_LANE_FUNCTION ComplexOf<L> complex_arc_cosine(const ComplexOf<L>& z) {
   const ComplexOf<L> l = arc_of(z, -1.0);
   return {l.imag, -l.real};
 }
 /// ln((1 + z) / (1 - z)) / 2
 template <class L>
-HWY_INLINE ComplexOf<L> complex_hyperbolic_arc_tangent(const ComplexOf<L>& z) {
+FIRSTLIGHT_LANE_FUNCTION ComplexOf<L> complex_hyperbolic_arc_tangent(const ComplexOf<L>& z) {
   const L size = abs(z.real);
   const ComplexOf<L> l =
       complex_logarithm(quotient(ComplexOf<L>{1.0 + z.real, z.imag}, ComplexOf<L>{1.0 - z.real, -z.imag}));
@@ -164,7 +164,7 @@ HWY_INLINE ComplexOf<L> complex_hyperbolic_arc_tangent(const ComplexOf<L>& z) {
 }
 /// i ln((1 - i z) / (1 + i z)) / 2
 template <class L>
-HWY_INLINE ComplexOf<L> complex_arc_tangent(const ComplexOf<L>& z) {
+FIRSTLIGHT_LANE_FUNCTION ComplexOf<L> complex_arc_tangent(const ComplexOf<L>& z) {
   const ComplexOf<L> turned = complex_hyperbolic_arc_tangent(ComplexOf<L>{z.imag, L(0.0)});
   const ComplexOf<L> l =
       complex_logarithm(quotient(ComplexOf<L>{1.0 + z.imag, -z.real}, ComplexOf<L>{1.0 - z.imag, z.real}));
@@ -173,7 +173,7 @@ HWY_INLINE ComplexOf<L> complex_arc_tangent(const ComplexOf<L>& z) {
       select(z.real == 0.0, ComplexOf<L>{-turned.imag, turned.real}, ComplexOf<L>{-0.5 * l.imag, 0.5 * l.real}));
 }
 template <class L>
-HWY_INLINE ComplexOf<L> complex_power(const ComplexOf<L>& z, const std::complex<double>& exponent) {
+FIRSTLIGHT_LANE_FUNCTION ComplexOf<L> complex_power(const ComplexOf<L>& z, const std::complex<double>& exponent) {
   const ComplexOf<L> l = product(complex_logarithm(z), ComplexOf<L>{L(exponent.real()), L(exponent.imag())});
   constexpr double kLeast = -690.0;  // below, POV-Ray takes the exponential for 0
   const L size = select(l.real < kLeast, L(0.0), exponential(l.real));
@@ -224,7 +224,8 @@ HWY_NOINLINE ComplexOf<L> complex_function(JuliaFunction function, const std::co
 }
 
 template <class L>
-HWY_INLINE Vec4Of<L> hyper_function(JuliaFunction function, const std::complex<double>& exponent, const Vec4Of<L>& a) {
+FIRSTLIGHT_LANE_FUNCTION Vec4Of<L> hyper_function(JuliaFunction function, const std::complex<double>& exponent,
+                                                  const Vec4Of<L>& a) {
   const auto first = complex_function(function, exponent, ComplexOf<L>{a.x - a.w, a.y + a.z});
   const auto second = complex_function(function, exponent, ComplexOf<L>{a.x + a.w, a.y - a.z});
   return {0.5 * (first.real + second.real), 0.5 * (first.imag + second.imag), 0.5 * (first.imag - second.imag),

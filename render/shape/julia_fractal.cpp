@@ -135,8 +135,8 @@ HWY_INLINE Vec4Of<L> quaternion_product(QuaternionPower<kPower>, const Vec4Of<L>
 }
 /// The distance to the set, estimated. [Hart, Sandin, Kauffman 1989, "Ray tracing deterministic 3-D fractals"]
 template <int kPower, class L>
-HWY_INLINE L distance(QuaternionPower<kPower> rule, const double* orbit, const L& last, const MaskOf<L>& who,
-                      const Vec3Of<L>&, double) {
+FIRSTLIGHT_LANE_FUNCTION L distance(QuaternionPower<kPower> rule, const double* orbit, const L& last,
+                                    const MaskOf<L>& who, const Vec3Of<L>&, double) {
   Vec4Of<L> value = value_at<L>(orbit, 0);
   Vec4Of<L> product = value;
   L share = 1.0 / kPower;
@@ -166,7 +166,7 @@ HWY_INLINE Vec4Of<L> derivative(QuaternionPower<kPower>, const Vec4Of<L>& q, con
 }
 /// The derivatives of the value by x, y and z of the first, each times that value.
 template <class L, int kPower>
-HWY_INLINE Vec3Of<L> growth(QuaternionPower<kPower> rule, const double* orbit, std::size_t last) {
+FIRSTLIGHT_LANE_FUNCTION Vec3Of<L> growth(QuaternionPower<kPower> rule, const double* orbit, std::size_t last) {
   const L zero = 0.0, one = 1.0;
   Vec4Of<L> by[3] = {{one, zero, zero, zero}, {zero, one, zero, zero}, {zero, zero, one, zero}};
   for (std::size_t i = 0; i < last; ++i) {
@@ -251,7 +251,8 @@ HWY_INLINE Vec4Of<L> grown(const HyperFunction& rule, const Vec4Of<L>& change, c
 }
 
 template <class L, class Rule>
-HWY_INLINE Vec3Of<L> growth_until(const Rule& rule, const double* orbit, const L& last, const MaskOf<L>& who) {
+FIRSTLIGHT_LANE_FUNCTION Vec3Of<L> growth_until(const Rule& rule, const double* orbit, const L& last,
+                                                const MaskOf<L>& who) {
   Vec4Of<L> value = value_at<L>(orbit, 0);
   Vec4Of<L> q = value;
   L factor = Rule::kGrows ? 2.0 : 1.0;
@@ -269,13 +270,13 @@ HWY_INLINE Vec3Of<L> growth_until(const Rule& rule, const double* orbit, const L
           -q.z * n.x - q.w * n.y + q.x * n.z + q.y * n.w};
 }
 template <class L, class Rule>
-HWY_INLINE Vec3Of<L> growth(const Rule& rule, const double* orbit, std::size_t last) {
+FIRSTLIGHT_LANE_FUNCTION Vec3Of<L> growth(const Rule& rule, const double* orbit, std::size_t last) {
   return growth_until(rule, orbit, L(static_cast<double>(last)), L::first(L::kCount));
 }
 /// By how far the size grows along the ray; the least step where that says nothing.
 template <class L, class Rule>
-HWY_INLINE L distance(const Rule& rule, const double* orbit, const L& last, const MaskOf<L>& who,
-                      const Vec3Of<L>& direction, double least) {
+FIRSTLIGHT_LANE_FUNCTION L distance(const Rule& rule, const double* orbit, const L& last, const MaskOf<L>& who,
+                                    const Vec3Of<L>& direction, double least) {
   const L fall = -dot(growth_until(rule, orbit, last, who), direction);
   Vec4Of<L> value = value_at<L>(orbit, 0);
   for (std::size_t i = 1;; ++i) {
@@ -326,7 +327,8 @@ HWY_INLINE bool must_leave(March<L, Rule>& march) {
 
 /// Which points are in the set; `last` gets the number of the last value of each orbit.
 template <class L, class Rule>
-HWY_INLINE MaskOf<L> iterate(March<L, Rule>& march, const Vec3Of<L>& point, const MaskOf<L>& who, L& last) {
+FIRSTLIGHT_LANE_FUNCTION MaskOf<L> iterate(March<L, Rule>& march, const Vec3Of<L>& point, const MaskOf<L>& who,
+                                           L& last) {
   const JuliaFractalParameters& p = march.set.p;
   const auto count = static_cast<std::size_t>(p.most_iterations);
   const Vec4& s = p.slice_normal;
@@ -351,7 +353,7 @@ HWY_INLINE MaskOf<L> iterate(March<L, Rule>& march, const Vec3Of<L>& point, cons
 
 /// The same, and how far the rays may step from there.
 template <class L, class Rule>
-HWY_INLINE MaskOf<L> look(March<L, Rule>& march, const Vec3Of<L>& point, const MaskOf<L>& who) {
+FIRSTLIGHT_LANE_FUNCTION MaskOf<L> look(March<L, Rule>& march, const Vec3Of<L>& point, const MaskOf<L>& who) {
   L last;
   const auto is_in = iterate(march, point, who, last);
   const double least = 1.0 / march.set.p.precision;
@@ -377,7 +379,8 @@ HWY_INLINE M differing(const M& a, const M& b) {
 /// How far behind `from` the surface is, from a step that changed sides; on the inner side of it, where the orbit then
 /// begins.
 template <class L, class Rule>
-HWY_INLINE L halved(March<L, Rule>& march, Vec3Of<L> from, L whole, const MaskOf<L>& was_in, const MaskOf<L>& who) {
+FIRSTLIGHT_LANE_FUNCTION L halved(March<L, Rule>& march, Vec3Of<L> from, L whole, const MaskOf<L>& was_in,
+                                  const MaskOf<L>& who) {
   L gone = 0.0;
   for (;;) {
     const auto open = who & (whole > kTolerance);
@@ -397,7 +400,7 @@ HWY_INLINE L halved(March<L, Rule>& march, Vec3Of<L> from, L whole, const MaskOf
 /// The unit normals. Values that an orbit leaving the set does not reach are those of the orbit before it, as in
 /// POV-Ray.
 template <class L, class Rule>
-HWY_INLINE Vec3Of<L> normal_of(const March<L, Rule>& march) {
+FIRSTLIGHT_LANE_FUNCTION Vec3Of<L> normal_of(const March<L, Rule>& march) {
   const auto n = growth<L>(march.rule, march.orbit, static_cast<std::size_t>(march.set.p.most_iterations));
   const L largest = max(max(abs(n.x), abs(n.y)), abs(n.z));
   const auto is_one = (largest > 0.0) & (largest <= std::numeric_limits<double>::max());
