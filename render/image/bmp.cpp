@@ -11,7 +11,7 @@ namespace firstlight::render {
 namespace {
 
 void put_number(std::vector<std::uint8_t>& bytes, std::uint64_t number, int count) {
-  for (int i = 0; i < count; ++i) bytes.push_back(static_cast<std::uint8_t>(number >> (8 * i) & 255));
+  for (int i = 0; i < count; ++i) bytes.push_back(i < 8 ? static_cast<std::uint8_t>(number >> (8 * i) & 255) : 0);
 }
 
 }  // namespace

@@ -31,8 +31,8 @@ Vec3 corner_below(const Vec3& p) {
 
 /// Cells in which the random point that is nearest to a point in the middle one may be: at most one of the steps is 2.
 /// The middle one and those that touch it come first.
-constexpr std::size_t kNear = 81, kTouching = 27;
-constexpr std::size_t kRoom = 88, kBehindTouching = 32;  // whole numbers of vectors
+constexpr std::size_t kNear = 81;
+constexpr std::size_t kRoom = 88, kBehindTouching = 32;  // whole numbers of vectors; 27 touch it
 struct NearCells {
   struct Cell {
     Vec3 step;

@@ -19,6 +19,11 @@ namespace firstlight::render {
 namespace {
 
 constexpr std::size_t kPoints = 150;
+#ifdef FIRSTLIGHT_SANITIZED
+constexpr int kPrograms = 15;
+#else
+constexpr int kPrograms = 60;
+#endif
 using Columns = std::vector<std::vector<double>>;
 
 bool same(double a, double b) {
@@ -154,7 +159,7 @@ std::shared_ptr<const Program> random_program(Numbers& numbers, const std::vecto
 TEST(Functions, ProgramsGiveManyPointsWhatTheyGiveOne) {
   Numbers numbers(7);
   std::vector<FunctionPtr> callees{std::make_shared<Five>(), make_internal(76), make_internal(61), make_internal(57)};
-  for (int i = 0; i < 60; ++i) {
+  for (int i = 0; i < kPrograms; ++i) {
     const std::size_t parameters = 1 + numbers.die() % 4;
     const auto program = random_program(numbers, callees, i % 12 == 11 ? 900 : 40, parameters);
     ASSERT_TRUE(program->is_in_rows());

@@ -16,11 +16,16 @@ namespace {
 
 using Kind = Solid::Kind;
 
+#ifdef FIRSTLIGHT_SANITIZED
+constexpr int kBlocks = 2, kRounds = 60;
+#else
+constexpr int kBlocks = 9, kRounds = 400;
+#endif
 constexpr std::uint64_t kSome = 0xfff0f731'3a50ffffu;
 
 std::vector<RayColumns> blocks_of_rays() {
   std::vector<RayColumns> blocks;
-  for (int block = 0; block < 9; ++block) blocks.push_back(rays_from(kernel_points(block), kRaysAtOnce));
+  for (int block = 0; block < kBlocks; ++block) blocks.push_back(rays_from(kernel_points(block), kRaysAtOnce));
   return blocks;
 }
 
@@ -54,7 +59,7 @@ TEST(ShapeBlocks, HaveTheCrossingsOfSingleRays) {
       }
     }
   });
-  EXPECT_GT(met, 4000u);
+  EXPECT_GT(met, 400u * kBlocks);
 }
 
 TEST(ShapeBlocks, HaveTheNearestCrossingsOfSingleRays) {
@@ -92,14 +97,14 @@ TEST(ShapeBlocks, HaveTheNearestCrossingsOfSingleRays) {
       }
     }
   });
-  EXPECT_GT(met, 4000u);
+  EXPECT_GT(met, 400u * kBlocks);
 }
 
 TEST(ShapeBlocks, HoldThePointsThatTheyHoldAlone) {
   const std::vector<NamedShape> shapes = shapes_and_julia_sets();
   for_each_target([&](const std::string& target) {
     for (const NamedShape& named : shapes) {
-      for (int block = 0; block < 9; ++block) {
+      for (int block = 0; block < kBlocks; ++block) {
         const Columns3<double> points = kernel_points(block);
         const std::uint64_t held = named.shape->inside_block(points, kSome);
         for (std::size_t i = 0; i < kRaysAtOnce; ++i) {
@@ -171,7 +176,7 @@ TEST(SolidBlocks, FindWhatSingleRaysFind) {
   constexpr std::uint8_t kBits[] = {0, kHiddenFromPrimary, kHiddenFromReflection, kHiddenFromShadow};
   SolidMaker maker(7);
   std::size_t met = 0;
-  for (int round = 0; round < 400; ++round) {
+  for (int round = 0; round < kRounds; ++round) {
     const Solid solid = maker.make(3);
     const RayColumns& rays = blocks[static_cast<std::size_t>(round) % blocks.size()];
     const std::uint8_t hidden_bit = kBits[round / 3 % 4];
@@ -211,7 +216,7 @@ TEST(SolidBlocks, FindWhatSingleRaysFind) {
       }
     });
   }
-  EXPECT_GT(met, 4000u);
+  EXPECT_GT(met, 400u * kBlocks);
 }
 
 TEST(SolidBlocks, AreNotMetTogetherWhenTooDeep) {

@@ -70,12 +70,18 @@ TEST(JuliaFractal, IsPlacedWithItsCrossings) {
   EXPECT_EQ(nearest[0].depth, found[0]);
 }
 
+#ifdef FIRSTLIGHT_SANITIZED
+constexpr int kRays = 30;
+#else
+constexpr int kRays = 300;
+#endif
+
 TEST(JuliaFractal, OfEveryFunctionIsMetSomewhere) {
   for (int i = 0; i <= static_cast<int>(JuliaFunction::power); ++i) {
     JuliaFractalParameters julia = of(Algebra::hypercomplex, static_cast<JuliaFunction>(i), Vec4(0.3, 0.2, 0.1, 0.05));
     julia.exponent = {2.5, 0.3};
     const ShapePtr shape = make_julia_fractal(julia);
-    EXPECT_GT(check_crossings(shape, 5, 300), 0) << i;
+    EXPECT_GT(check_crossings(shape, 5, kRays), 0) << i;
     EXPECT_NE(shape->inside(Vec3(0.1)), shape->inverted()->inside(Vec3(0.1)));
   }
 }
