@@ -15,6 +15,21 @@ HWY_BEFORE_NAMESPACE();
 namespace firstlight::render {
 namespace HWY_NAMESPACE {
 
+/// A ray from the point on that is nearest to the origin: there the coefficients of equations keep their digits, however
+/// far away it starts. Depths of the ray as it was given are (t + skipped) / length.
+template <class L>
+struct NearRay {
+  Vec3Of<L> p, d;
+  L skipped, length;
+};
+
+template <class L>
+HWY_INLINE NearRay<L> near_ray(const UnitRayOf<L>& unit) {
+  const auto& [origin, direction] = unit.ray;
+  const L skipped = -dot(origin, direction);
+  return {origin + direction * skipped, direction, skipped, unit.length};
+}
+
 /// A surface's equation along a ray: a polynomial of order kOrder that is 0 where they meet, between `low` and `high`.
 /// Depths in it are counted from `skipped` on and along a direction of unit length: the depth `t` in it is
 /// (t + skipped) / length of the ray as it was given.

@@ -73,9 +73,8 @@ struct Lathe {
   Box3 inside_bounds() const { return bounds(); }
 };
 
-/// A ray from the point on that is nearest to the origin: there the equations' coefficients keep their digits. Depths of
-/// the ray as it was given are (t + skipped) / length.
-struct NearRay {
+/// A NearRay (render/shape/depth_roots-inl.h) of a block.
+struct StoredRay {
   Vec3 p, d;
   double skipped;
   double length;
@@ -83,7 +82,7 @@ struct NearRay {
 
 /// add(depth, face, place) for what of the ray meets the segment's curve at `w`.
 template <class Add>
-void add_crossings(const Lathe& lathe, const NearRay& ray, std::uint32_t index, double w, const Add& add) {
+void add_crossings(const Lathe& lathe, const StoredRay& ray, std::uint32_t index, double w, const Add& add) {
   const Vec3& p = ray.p;
   const Vec3& d = ray.d;
   const ProfileSegment& segment = lathe.segments[index];
@@ -110,23 +109,9 @@ HWY_BEFORE_NAMESPACE();
 namespace firstlight::render {
 namespace HWY_NAMESPACE {
 
-/// As NearRay.
-template <class L>
-struct NearRayOf {
-  Vec3Of<L> p, d;
-  L skipped, length;
-};
-
-template <class L>
-HWY_INLINE NearRayOf<L> near_ray(const RayOf<L>& given) {
-  const auto [length, ray] = unit_ray(given);
-  const L skipped = -dot(ray.origin, ray.direction);
-  return {ray.origin + ray.direction * skipped, ray.direction, skipped, length};
-}
-
 /// Whether a ray comes between the heights and distances from the axis of a rectangle that is turned.
 template <class L>
-HWY_INLINE MaskOf<L> reaches(const NearRayOf<L>& ray, const Vec2& low, const Vec2& high) {
+HWY_INLINE MaskOf<L> reaches(const NearRay<L>& ray, const Vec2& low, const Vec2& high) {
   const Vec3Of<L>& p = ray.p;
   const Vec3Of<L>& d = ray.d;
   const double room = kRoom * (1.0 + std::max(std::abs(low.y), std::abs(high.y)) + high.x);
@@ -155,7 +140,7 @@ HWY_INLINE MaskOf<L> reaches(const NearRayOf<L>& ray, const Vec2& low, const Vec
 /// height it must be the curve's: r (y - p.y)^2 + 2 m d.y (y - p.y) + d.y^2 (q - x^2) = 0. A level ray stays at its
 /// height: what is left of the equation is the square of the curve's height above it.
 template <class L>
-HWY_INLINE void equation_of(const ProfileSegment& s, const NearRayOf<L>& ray, L (&equation)[7]) {
+HWY_INLINE void equation_of(const ProfileSegment& s, const NearRay<L>& ray, L (&equation)[7]) {
   const Vec3Of<L>& p = ray.p;
   const Vec3Of<L>& d = ray.d;
   const L r = d.x * d.x + d.z * d.z;
@@ -182,7 +167,7 @@ void meet_lathe(const Lathe& lathe, const RaysAndPlace& asked, Slots& slots) {
   Column<double> length;
   std::uint64_t near = 0;
   for_each_vector(asked, [&](const RayOf<Lanes>& given, std::size_t i, std::uint64_t of_vector) HWY_ATTR {
-    const NearRayOf<Lanes> ray = near_ray(given);
+    const NearRay<Lanes> ray = near_ray(unit_ray(given));
     store3(ray.p, ps, i);
     store3(ray.d, ds, i);
     store(ray.skipped, skipped, i);
@@ -200,8 +185,8 @@ void meet_lathe(const Lathe& lathe, const RaysAndPlace& asked, Slots& slots) {
     const ProfileSegment& segment = lathe.segments[part];
     for (std::size_t i = 0; i < kRaysAtOnce; i += Lanes::kCount) {
       if ((near >> i & kAllLanes) == 0) continue;
-      const NearRayOf<Lanes> ray{load3<Lanes>(ps, i), load3<Lanes>(ds, i), load<Lanes>(skipped, i),
-                                 load<Lanes>(length, i)};
+      const NearRay<Lanes> ray{load3<Lanes>(ps, i), load3<Lanes>(ds, i), load<Lanes>(skipped, i),
+                               load<Lanes>(length, i)};
       const std::uint64_t here = near >> i & bits(reaches(ray, segment.low, segment.high));
       if (here == 0) continue;
       Lanes equation[7];
@@ -213,10 +198,10 @@ void meet_lathe(const Lathe& lathe, const RaysAndPlace& asked, Slots& slots) {
 }
 
 inline void meet_lathe_once(const Lathe& lathe, const Ray& given, Met& met) {
-  const auto ray = near_ray(RayOf<One>{everywhere<One>(given.origin), everywhere<One>(given.direction)});
+  const auto ray = near_ray(unit_ray(RayOf<One>{everywhere<One>(given.origin), everywhere<One>(given.direction)}));
   if (!reaches(ray, lathe.low, lathe.high).holds) return;
-  const NearRay same{Vec3(ray.p.x.v, ray.p.y.v, ray.p.z.v), Vec3(ray.d.x.v, ray.d.y.v, ray.d.z.v), ray.skipped.v,
-                     ray.length.v};
+  const StoredRay same{Vec3(ray.p.x.v, ray.p.y.v, ray.p.z.v), Vec3(ray.d.x.v, ray.d.y.v, ray.d.z.v), ray.skipped.v,
+                       ray.length.v};
   for (std::uint32_t part = 0; part < lathe.segments.size(); ++part) {
     const ProfileSegment& segment = lathe.segments[part];
     if (!reaches(ray, segment.low, segment.high).holds) continue;

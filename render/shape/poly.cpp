@@ -211,10 +211,7 @@ HWY_INLINE void evaluate(const Poly& poly, const X& x, const X& y, const X& z, N
 /// digits.
 template <std::size_t N, class L>
 HWY_INLINE DepthEquation<L, N> equation_along(const Poly& poly, const RayOf<L>& given) {
-  const auto [length, ray] = unit_ray(given);
-  const L skipped = -dot(ray.origin, ray.direction);
-  const Vec3Of<L> p = ray.origin + ray.direction * skipped;
-  const Vec3Of<L>& d = ray.direction;
+  const auto [p, d, skipped, length] = near_ray(unit_ray(given));
   Series<L, N> series;
   series.order = poly.order;
   evaluate(poly, Line<L>{p.x, d.x}, Line<L>{p.y, d.y}, Line<L>{p.z, d.z}, series);

@@ -131,33 +131,22 @@ HWY_BEFORE_NAMESPACE();
 namespace firstlight::render {
 namespace HWY_NAMESPACE {
 
-/// A ray from the point on that is nearest to the origin: there the coefficients keep their digits. Depths of the ray as
-/// it was given are (t + skipped) / length.
 template <class L>
-struct NearRay {
-  Vec3Of<L> p, d;
-  L skipped, length;
+struct RayBySor : NearRay<L> {
   L from, to;  ///< where it is in the cylinder about the shape: not above each other where it is not
 };
 
 template <class L>
-HWY_INLINE NearRay<L> near_ray(const Sor& sor, const RayOf<L>& given) {
-  const auto [length, ray] = unit_ray(given);
-  const L skipped = -dot(ray.origin, ray.direction);
-  const Vec3Of<L> p = ray.origin + ray.direction * skipped;
-  const Vec3Of<L>& d = ray.direction;
+HWY_INLINE RayBySor<L> ray_by(const Sor& sor, const RayOf<L>& given) {
+  const NearRay<L> ray = near_ray(unit_ray(given));
+  const auto& [p, d, skipped, length] = ray;
   const L r = d.x * d.x + d.z * d.z;
   const L m = p.x * d.x + p.z * d.z;
   const L q = p.x * p.x + p.z * p.z;
   const double reach = sor.radius * (1.0 + kRoom) + kRoom;
   const L root = sqrt(m * m - r * (q - reach * reach));  // no number where it passes by
   const auto across = r > kEpsilon;
-  return {p,
-          d,
-          skipped,
-          length,
-          select(across, (-m - root) / r, L(-kBoundingHuge)),
-          select(across, (-m + root) / r, L(kBoundingHuge))};
+  return {ray, select(across, (-m - root) / r, L(-kBoundingHuge)), select(across, (-m + root) / r, L(kBoundingHuge))};
 }
 
 template <class L>
@@ -169,7 +158,7 @@ HWY_INLINE L depth_at(const NearRay<L>& ray, const L& t, MaskOf<L>& counts) {
 
 /// met(k, depth, mask, face) for the two caps, as render/shape/lane_shape-inl.h says.
 template <class L, class Sink>
-HWY_INLINE void meet_caps(const Sor& sor, const NearRay<L>& ray, const Sink& met) {
+HWY_INLINE void meet_caps(const Sor& sor, const RayBySor<L>& ray, const Sink& met) {
   if (sor.open) return;
   const Vec3Of<L>& p = ray.p;
   const Vec3Of<L>& d = ray.d;
@@ -189,7 +178,7 @@ HWY_INLINE void meet_caps(const Sor& sor, const NearRay<L>& ray, const Sink& met
 /// The equation of a ray and a segment in the ray's depth, and where its roots are looked for: low < high where there may be
 /// some.
 template <class L>
-HWY_INLINE void equation_of(const Segment& s, const NearRay<L>& ray, L (&equation)[4], L& low, L& high) {
+HWY_INLINE void equation_of(const Segment& s, const RayBySor<L>& ray, L (&equation)[4], L& low, L& high) {
   const Vec3Of<L>& p = ray.p;
   const Vec3Of<L>& d = ray.d;
   const auto steep = abs(d.y) > kEpsilon;
@@ -219,7 +208,7 @@ void meet_sor(const Sor& sor, const RaysAndPlace& asked, Slots& slots) {
   Column<double> to;
   SlotLists lists(asked.shape, slots, true);
   for_each_vector(asked, [&](const RayOf<Lanes>& given, std::size_t i, std::uint64_t of_vector) HWY_ATTR {
-    const NearRay<Lanes> ray = near_ray(sor, given);
+    const RayBySor<Lanes> ray = ray_by(sor, given);
     store3(ray.p, ps, i);
     store3(ray.d, ds, i);
     store(ray.skipped, skipped, i);
@@ -240,8 +229,10 @@ void meet_sor(const Sor& sor, const RaysAndPlace& asked, Slots& slots) {
     for (std::size_t i = 0; i < kRaysAtOnce; i += Lanes::kCount) {
       const std::uint64_t of_vector = asked.who >> i & kAllLanes;
       if (of_vector == 0) continue;
-      const NearRay<Lanes> ray{load3<Lanes>(ps, i),    load3<Lanes>(ds, i),  load<Lanes>(skipped, i),
-                               load<Lanes>(length, i), load<Lanes>(from, i), load<Lanes>(to, i)};
+      const RayBySor<Lanes> ray{
+          {load3<Lanes>(ps, i), load3<Lanes>(ds, i), load<Lanes>(skipped, i), load<Lanes>(length, i)},
+          load<Lanes>(from, i),
+          load<Lanes>(to, i)};
       Lanes equation[4];
       Lanes low;
       Lanes high;
@@ -253,7 +244,7 @@ void meet_sor(const Sor& sor, const RaysAndPlace& asked, Slots& slots) {
 }
 
 inline void meet_sor_once(const Sor& sor, const Ray& given, Met& met) {
-  const auto ray = near_ray(sor, RayOf<One>{everywhere<One>(given.origin), everywhere<One>(given.direction)});
+  const auto ray = ray_by(sor, RayOf<One>{everywhere<One>(given.origin), everywhere<One>(given.direction)});
   meet_caps(sor, ray, ListSink<Met>{met});
   for (std::uint32_t part = 0; part < sor.segments.size(); ++part) {
     const Segment& segment = sor.segments[part];

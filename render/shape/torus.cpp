@@ -105,10 +105,7 @@ namespace HWY_NAMESPACE {
 /// ray starts.
 template <class L>
 HWY_INLINE DepthEquation<L, 4> equation_along(const Torus& torus, const RayOf<L>& given) {
-  const auto [length, ray] = unit_ray(given);
-  const Vec3Of<L>& d = ray.direction;
-  const L skipped = -dot(given.origin, d);
-  const Vec3Of<L> p = given.origin + d * skipped;
+  const auto [p, d, skipped, length] = near_ray(unit_ray(given));
   const double thickness = std::abs(torus.minor);
   const double reach = (std::abs(torus.major) + thickness) * (1.0 + kRoom);
   const L distance_squared = dot(p, p);
