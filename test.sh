@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # Runs every test: the release build with all of them (unit tests, and POV-Ray as the reference), then the unit tests
-# again under AddressSanitizer + UndefinedBehaviorSanitizer, with a minute of random scenes for the parser and one for
+# again under AddressSanitizer + UndefinedBehaviorSanitizer, with half a minute of random scenes for the parser and for
 # the renderer, and those of what has threads under ThreadSanitizer. Needs no display.
 # Installs what is missing (Debian packages), builds what changed. The last line is the count of all of them.
 set -uo pipefail
@@ -19,12 +19,31 @@ finish() {
   exit $((failed > 0 || passed == 0))
 }
 
-# run PRESET TARGETS CTEST-OPTION...: builds the targets and runs the tests chosen, adding to the count.
+# build_next PRESET TARGET...: builds in the background, after the presets before it, with what their tests leave of the
+# processors.
+declare -A builder
+before=
+trap 'trap - INT TERM; kill 0' INT TERM  # what is in the background ends with the script
+build_next() {
+  local preset=$1
+  mkdir -p build
+  (
+    if [ -n "$before" ]; then
+      tail --pid="$before" -f /dev/null
+      renice -n 19 "$BASHPID" >/dev/null
+    fi
+    build "$@"
+  ) >"build/$preset.log" 2>&1 &
+  before=$!
+  builder[$preset]=$before
+}
+
+# run PRESET CTEST-OPTION...: shows how the preset is built and runs the tests chosen, adding to the count.
 run() {
-  local preset=$1 targets=$2
-  shift 2
-  # shellcheck disable=SC2086
-  if ! build "$preset" $targets; then
+  local preset=$1
+  shift
+  tail -n +1 --pid="${builder[$preset]}" -f "build/$preset.log"
+  if ! wait "${builder[$preset]}"; then
     say "The $preset build failed"
     failed=$((failed + 1))
     return
@@ -51,7 +70,10 @@ run() {
 }
 
 install_missing $build_packages $test_packages || { failed=1; finish; }
-run release all -j "$((2 * $(nproc)))"  # POV-Ray sleeps for most of the time that a small picture takes it
-run asan "firstlight_unit_tests firstlight_parser_fuzz firstlight_render_fuzz" -L "unit|fuzz"
-run tsan "firstlight_render_test firstlight_priority_test firstlight_app_test" -L unit -E '^parser$'  # it has no threads
+build_next release all
+build_next asan firstlight_unit_tests firstlight_parser_fuzz firstlight_render_fuzz
+build_next tsan firstlight_unit_tests
+run release -j "$((2 * $(nproc)))"  # POV-Ray sleeps for most of the time that a small picture takes it
+run asan -L "unit|fuzz"
+run tsan -L unit
 finish

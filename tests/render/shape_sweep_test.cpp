@@ -39,17 +39,21 @@ Ball ball_at(const SphereSweepParameters& sweep, std::size_t i, double u) {
   return sum;
 }
 
-/// How far a point is from the surface of the whole: below 0 inside.
-double distance(const SphereSweepParameters& sweep, const Vec3& p) {
+/// Balls that lie so closely along the sweep that they stand for it.
+std::vector<Ball> balls_along(const SphereSweepParameters& sweep) {
   const std::size_t pieces = sweep.balls.size() - (sweep.spline == Spline::linear ? 1 : 3);
-  double least = 1e9;
+  std::vector<Ball> balls;
   for (std::size_t i = 0; i < pieces; ++i) {
     constexpr int kSteps = 100;
-    for (int k = 0; k <= kSteps; ++k) {
-      const Ball ball = ball_at(sweep, i, static_cast<double>(k) / kSteps);
-      least = std::min(least, (p - ball.center).length() - ball.radius);
-    }
+    for (int k = 0; k <= kSteps; ++k) balls.push_back(ball_at(sweep, i, static_cast<double>(k) / kSteps));
   }
+  return balls;
+}
+
+/// How far a point is from the surface of all balls together: below 0 inside.
+double distance(const std::vector<Ball>& balls, const Vec3& p) {
+  double least = 1e9;
+  for (const Ball& ball : balls) least = std::min(least, (p - ball.center).length() - ball.radius);
   return least;
 }
 
@@ -76,6 +80,7 @@ void check_placed(const ShapePtr& shape, unsigned seed) {
 
 void check_sweep(const SphereSweepParameters& sweep, unsigned seed) {
   const ShapePtr shape = make_sphere_sweep(sweep);
+  const std::vector<Ball> balls = balls_along(sweep);
   RayRain rain(seed);
   int count = 0;
   int off = 0;
@@ -84,16 +89,16 @@ void check_sweep(const SphereSweepParameters& sweep, unsigned seed) {
     std::vector<Crossing> all = met(shape, ray);
     std::sort(all.begin(), all.end(), [](const Crossing& a, const Crossing& b) { return a.depth < b.depth; });
     if (all.empty()) {
-      for (double t = 5.0; t < 15.0; t += 0.25) ASSERT_GT(distance(sweep, ray.at(t)), -0.02);
+      for (double t = 5.0; t < 15.0; t += 0.25) ASSERT_GT(distance(balls, ray.at(t)), -0.02);
       continue;
     }
     for (const Crossing& crossing : {all.front(), all.back()}) {
       ++count;
       const Vec3 p = ray.at(crossing.depth);
-      ASSERT_LT(std::abs(distance(sweep, p)), 0.003);
+      ASSERT_LT(std::abs(distance(balls, p)), 0.003);
       // Normals point the way in which the distance grows, but where two parts meet.
       const Vec3 n = shape->normal(p, crossing);
-      off += distance(sweep, p + n * 0.01) > 0.005 ? 0 : 1;
+      off += distance(balls, p + n * 0.01) > 0.005 ? 0 : 1;
     }
   }
   EXPECT_GT(count, 20);
@@ -145,11 +150,12 @@ TEST(SphereSweep, InAPlaneIsMetByRaysAcrossIt) {
       SphereSweepParameters sweep = random_sweep(spline, 6, 41);
       for (Ball& ball : sweep.balls) ball.center.z = 0.0;
       const ShapePtr shape = make_sphere_sweep(sweep);
+      const std::vector<Ball> balls = balls_along(sweep);
       RayRain rain(42);
       for (int i = 0; i < 200; ++i) {
         Vec3 target = rain.point(1.3);
         target.z = 0.0;
-        if (distance(sweep, target) > -0.01) continue;
+        if (distance(balls, target) > -0.01) continue;
         const Vec3 direction = Vec3(slope, 2.0 * slope, 1.0).normalized();
         ASSERT_FALSE(depths(shape, {target - direction * 5.0, direction}).empty()) << slope;
       }
