@@ -63,11 +63,12 @@ HWY_INLINE void meet_block(const MeshFaces::Block& block, const Ray& ray, const 
 
 void meet_all(const MeshFaces& faces, const Ray& given, std::vector<FaceMet>& out) {
   const UnitRay unit(given);
+  // In all lanes of its vector, for what happens to lie in memory may be numbers that take long.
   RayColumns rays;
-  rays.origin.set(0, unit.ray.origin);
-  rays.direction.set(0, unit.ray.direction);
+  store3(everywhere<Lanes>(unit.ray.origin), rays.origin, 0);
+  store3(everywhere<Lanes>(unit.ray.direction), rays.direction, 0);
   Column<double> high;
-  high[0] = kMaxDistance;
+  store(Lanes(kMaxDistance), high, 0);
   const std::size_t first = out.size();
   TreeWalk(faces.tree(), rays)
       .walk(
