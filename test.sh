@@ -19,14 +19,16 @@ finish() {
   exit $((failed > 0 || passed == 0))
 }
 
+declare -A builder  # the process group that builds a preset
+before=
+trap 'kill -- "${builder[@]/#/-}" 2>/dev/null; exit 130' INT TERM  # what is in the background ends with the script
+
 # build_next PRESET TARGET...: builds in the background, after the presets before it, with what their tests leave of the
 # processors.
-declare -A builder
-before=
-trap 'trap - INT TERM; kill 0' INT TERM  # what is in the background ends with the script
 build_next() {
   local preset=$1
   mkdir -p build
+  set -m  # in a process group of its own
   (
     if [ -n "$before" ]; then
       tail --pid="$before" -f /dev/null
@@ -34,6 +36,7 @@ build_next() {
     fi
     build "$@"
   ) >"build/$preset.log" 2>&1 &
+  set +m
   before=$!
   builder[$preset]=$before
 }

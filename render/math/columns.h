@@ -21,6 +21,15 @@ struct alignas(64) Column {
   const T& operator[](std::size_t i) const { return at[i]; }
 };
 
+/// A number alone in its column. Vectors take its neighbours along, so these are the same: what happens to lie in memory
+/// may be numbers that take long.
+inline Column<double> alone(double number) {
+  constexpr std::size_t kWidestVector = 64 / sizeof(double);
+  Column<double> column;
+  for (std::size_t i = 0; i < kWidestVector; ++i) column[i] = number;
+  return column;
+}
+
 template <class T>
 struct Columns2 {
   std::array<Column<T>, 2> of;

@@ -15,6 +15,12 @@ struct RayColumns {
   Ray ray(std::size_t i) const { return {origin.vector(i), direction.vector(i)}; }
 };
 
+/// A ray that is asked for alone, in place 0.
+inline RayColumns alone(const Ray& ray) {
+  const Vec3 &o = ray.origin, &d = ray.direction;
+  return {{alone(o.x), alone(o.y), alone(o.z)}, {alone(d.x), alone(d.y), alone(d.z)}};
+}
+
 /// Several rays; crossings beyond `low` and not beyond `high` count.
 struct DepthWindow {
   const Column<double>& low;

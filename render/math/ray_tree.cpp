@@ -77,12 +77,7 @@ void RayTree::find(const RayColumns& rays, std::uint64_t who, const Column<doubl
 }
 
 void RayTree::find(const Ray& ray, double high, std::vector<Found>& out) const {
-  RayColumns rays;
-  rays.origin.set(0, ray.origin);
-  rays.direction.set(0, ray.direction);
-  Column<double> highs;
-  highs[0] = high;
-  find(rays, 1, highs, out);
+  find(alone(ray), 1, alone(high), out);
 }
 
 /// Some of the boxes on their way to a node or a leaf.

@@ -43,12 +43,8 @@ struct Blob {
   }
 
   void meet(const Ray& ray, Met& met) const {
-    RayColumns rays;
-    rays.origin.set(0, ray.origin);
-    rays.direction.set(0, ray.direction);
-    Column<double> low;
-    low[0] = met.low();
-    for (const BlobCrossing& crossing : crossings(Transform(), rays, 1, met.wants_all() ? nullptr : &low)) {
+    const Column<double> low = alone(met.low());
+    for (const BlobCrossing& crossing : crossings(Transform(), alone(ray), 1, met.wants_all() ? nullptr : &low)) {
       met.add(crossing.depth);
     }
   }

@@ -26,13 +26,10 @@ class Mesh final : public Shape {
     for (const FaceMet& met : all_met(transform_.inverse_ray(ray))) out.push_back({met.depth, this, 0, met.face, {}});
   }
   void nearest(const Ray& ray, double low, double high, std::vector<Crossing>& out) const override {
-    RayColumns rays;
-    rays.origin.set(0, ray.origin);
-    rays.direction.set(0, ray.direction);
-    Column<double> lows, highs, depth, face;
-    lows[0] = low;
-    highs[0] = high;
+    const RayColumns rays = alone(ray);
+    const Column<double> lows = alone(low), highs = alone(high);
     const DepthWindow window{lows, highs};
+    Column<double> depth, face;
     if (faces_->meet_nearest({*this, transform_, rays, 1, &window}, depth, face) == 0) return;
     out.push_back({depth[0], this, 0, static_cast<std::uint32_t>(face[0]), {}});
   }

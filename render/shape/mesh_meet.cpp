@@ -63,16 +63,11 @@ HWY_INLINE void meet_block(const MeshFaces::Block& block, const Ray& ray, const 
 
 void meet_all(const MeshFaces& faces, const Ray& given, std::vector<FaceMet>& out) {
   const UnitRay unit(given);
-  // In all lanes of its vector, for what happens to lie in memory may be numbers that take long.
-  RayColumns rays;
-  store3(everywhere<Lanes>(unit.ray.origin), rays.origin, 0);
-  store3(everywhere<Lanes>(unit.ray.direction), rays.direction, 0);
-  Column<double> high;
-  store(Lanes(kMaxDistance), high, 0);
+  const RayColumns rays = alone(unit.ray);
   const std::size_t first = out.size();
   TreeWalk(faces.tree(), rays)
       .walk(
-          1, high,
+          1, alone(kMaxDistance),
           [&](std::uint32_t leaf, std::uint64_t) HWY_ATTR {
             meet_block(faces.block(leaf), unit.ray, [&](double depth, std::uint32_t face) {
               out.push_back({depth / unit.length, face});

@@ -16,13 +16,12 @@ bool same(double a, double b) {
   return std::bit_cast<std::uint64_t>(a) == std::bit_cast<std::uint64_t>(b) || (std::isnan(a) && std::isnan(b));
 }
 
-#ifdef FIRSTLIGHT_SANITIZED
-constexpr int kBlocks = 2;  // everything takes many times as long
-#else
-constexpr int kBlocks = 6;
-#endif
-
 TEST(Kernels, HaveTheSameBitsAtEveryWidth) {
+#ifdef FIRSTLIGHT_SANITIZED
+  constexpr int kBlocks = 2;  // everything takes many times as long
+#else
+  constexpr int kBlocks = 6;
+#endif
   const KernelList list;
   for (const Kernel& kernel : list.kernels()) {
     for (int block = 0; block < kBlocks; ++block) {
