@@ -1,11 +1,10 @@
 # Shared by render.sh and test.sh, which source it: installs what is missing and builds. Debian 12 package names.
 
-build_packages="g++ cmake ninja-build libembree-dev libtbb-dev libimath-dev libopenimageio-dev libpng-dev libturbojpeg0-dev
+build_packages="clang cmake ninja-build libembree-dev libtbb-dev libimath-dev libopenimageio-dev libpng-dev libturbojpeg0-dev
   libhwy-dev libfmt-dev nlohmann-json3-dev libcli11-dev libgtest-dev libbenchmark-dev"
 render_packages="povray-includes"  # the standard include files, found where the package puts them
-# The reference that the pictures are compared with, the compiler of the sanitized builds, and the browser that opens
-# reports.
-test_packages="povray povray-includes povray-examples clang libclang-rt-14-dev chromium"
+# The reference that the pictures are compared with, the sanitizers, and the browser that opens reports.
+test_packages="povray povray-includes povray-examples libclang-rt-14-dev chromium"
 
 say() { printf '\033[1m==>\033[0m %s\n' "$*"; }
 
@@ -34,7 +33,7 @@ build() {
     ! grep -q "^FIRSTLIGHT_WERROR:BOOL=$werror\$" "$folder/CMakeCache.txt"; then
     say "Configuring $folder"
     mkdir -p "$folder"
-    cmake --preset "$preset" -DFIRSTLIGHT_WERROR="$werror" >"$folder/configure.log" 2>&1 ||
+    cmake --fresh --preset "$preset" -DFIRSTLIGHT_WERROR="$werror" >"$folder/configure.log" 2>&1 ||
       { cat "$folder/configure.log"; return 1; }
   fi
   say "Building $folder"

@@ -17,6 +17,8 @@ ProcessResult run_process(const std::vector<std::string>& command, const std::fi
 
 class ScratchFolder : public app::compare::ScratchFolder {
  public:
+  ScratchFolder() {}  // NOLINT(modernize-use-equals-default): or there could be no constant one
+
   /// Writes a file into the folder and returns its path.
   std::filesystem::path write(const std::string& name, const std::string& content) const;
 };
