@@ -150,10 +150,16 @@ void prepare_rows(Reading& r, std::size_t file_size) {
 constexpr int kColorTypes[] = {PNG_COLOR_TYPE_GRAY, PNG_COLOR_TYPE_GRAY_ALPHA, PNG_COLOR_TYPE_RGB,
                                PNG_COLOR_TYPE_RGB_ALPHA};
 
+/// Writing takes two fifths of the time that libpng's own choice takes, and the files are 6 % larger (docs/performance.md).
+constexpr int kCompressionLevel = 4;
+constexpr int kFilters = PNG_FILTER_NONE | PNG_FILTER_SUB | PNG_FILTER_UP;
+
 void write_all(Writing& w) {
   const int width = w.picture.width;
   const int height = w.picture.height;
   png_set_write_fn(w.png, &w, put, nullptr);
+  png_set_compression_level(w.png, kCompressionLevel);
+  png_set_filter(w.png, PNG_FILTER_TYPE_BASE, kFilters);
   png_set_IHDR(w.png, w.info, static_cast<png_uint_32>(width), static_cast<png_uint_32>(height),
                8 * w.picture.channel_bytes, kColorTypes[w.picture.channels - 1], PNG_INTERLACE_NONE,
                PNG_COMPRESSION_TYPE_DEFAULT, PNG_FILTER_TYPE_DEFAULT);

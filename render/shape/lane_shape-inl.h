@@ -18,7 +18,7 @@
 #include "render/lanes/lanes-inl.h"
 #include "render/lanes/length-inl.h"
 #include "render/math/ray_columns.h"
-#include "render/math/transform.h"
+#include "render/math/transform-inl.h"
 #include "render/shape/placed.h"
 #include "render/shape/slots.h"
 #include "render/shape/tolerance.h"
@@ -47,19 +47,6 @@ template <class L>
 HWY_INLINE UnitRayOf<L> unit_ray(const RayOf<L>& given) {
   const L length = exact_length(given.direction);
   return {length, {given.origin, given.direction * (1.0 / length)}};
-}
-
-/// v as a direction, and p as a point, times the matrix; sums as in Transform.
-template <class L>
-HWY_INLINE Vec3Of<L> direction_times(const Vec3Of<L>& v, const Mat4& m) {
-  return {v.x * m[0][0] + v.y * m[1][0] + v.z * m[2][0], v.x * m[0][1] + v.y * m[1][1] + v.z * m[2][1],
-          v.x * m[0][2] + v.y * m[1][2] + v.z * m[2][2]};
-}
-template <class L>
-HWY_INLINE Vec3Of<L> point_times(const Vec3Of<L>& p, const Mat4& m) {
-  return {p.x * m[0][0] + p.y * m[1][0] + p.z * m[2][0] + m[3][0],
-          p.x * m[0][1] + p.y * m[1][1] + p.z * m[2][1] + m[3][1],
-          p.x * m[0][2] + p.y * m[1][2] + p.z * m[2][2] + m[3][2]};
 }
 
 /// Takes the crossings of some rays of a block.

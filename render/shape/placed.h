@@ -1,5 +1,6 @@
 #pragma once
 
+#include "render/math/transform_columns.h"
 #include "render/shape/shape.h"
 
 #include <array>
@@ -116,13 +117,12 @@ class Placed final : public Shape {
   void normals(const SurfacePlaces& places, std::size_t first, std::size_t end, Columns3<double>& out) const override {
     if constexpr (requires { &Local::normals; }) {
       local().normals(own_places(places, first, end), first, end, out);
-      for (std::size_t i = first; i < end; ++i) {
-        const Vec3 n = transform_.normal(out.vector(i)).normalized();
-        out.set(i, inverted_ ? -n : n);
-      }
     } else {
-      for (std::size_t i = first; i < end; ++i) out.set(i, Placed::normal(places.point.vector(i), *places.crossing[i]));
+      Columns3<double> own;
+      inverse_points(transform_, places.point, first, end, own);
+      for (std::size_t i = first; i < end; ++i) out.set(i, local().normal(own.vector(i), *places.crossing[i]));
     }
+    place_normals(transform_, inverted_, first, end, out);
   }
   Vec2 uv(const Vec3& point, const Crossing& crossing) const override {
     if constexpr (requires { local().uv(point, crossing); }) {
@@ -188,10 +188,8 @@ class Placed final : public Shape {
   const Local& local() const { return held_.get(); }
   SurfacePlaces own_places(const SurfacePlaces& places, std::size_t first, std::size_t end) const {
     SurfacePlaces own;
-    for (std::size_t i = first; i < end; ++i) {
-      own.point.set(i, transform_.inverse_point(places.point.vector(i)));
-      own.crossing[i] = places.crossing[i];
-    }
+    inverse_points(transform_, places.point, first, end, own.point);
+    for (std::size_t i = first; i < end; ++i) own.crossing[i] = places.crossing[i];
     return own;
   }
 

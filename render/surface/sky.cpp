@@ -1,5 +1,7 @@
 #include "render/surface/sky.h"
 
+#include "render/math/transform_columns.h"
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -46,10 +48,8 @@ void Sky::lay(const Columns3<double>& directions, std::size_t count, Columns3<fl
   const auto found = std::make_unique_for_overwrite<ColorColumns>();
   points->size = count;
   points->on_surface = false;
-  for (std::size_t i = 0; i < count; ++i) {
-    points->at.set(i, sphere_->placement.inverse_point(directions.vector(i)));
-    points->uv.set(i, Vec2(0.0));
-  }
+  inverse_points(sphere_->placement, directions, 0, count, points->at);
+  for (std::size_t i = 0; i < count; ++i) points->uv.set(i, Vec2(0.0));
   for (const CompiledPigment& pigment : pigments_) {
     pigment.colors(*points, *found);
     for (std::size_t i = 0; i < count; ++i) {

@@ -9,6 +9,7 @@
 
 #include "render/lanes/math-inl.h"
 #include "render/math/noise-inl.h"
+#include "render/math/transform-inl.h"
 
 #include <cstddef>
 
@@ -33,11 +34,7 @@ HWY_INLINE L to_single(const L& x) {
 // The point before a warp for one behind it. [POV-Ray 3.7]
 template <class L>
 HWY_INLINE Vec3Of<L> unwarped(const Transform& transform, const Vec3Of<L>& p) {
-  if (transform.is_identity()) return p;
-  const Mat4& m = transform.inverse_matrix();
-  return {p.x * m[0][0] + p.y * m[1][0] + p.z * m[2][0] + m[3][0],
-          p.x * m[0][1] + p.y * m[1][1] + p.z * m[2][1] + m[3][1],
-          p.x * m[0][2] + p.y * m[1][2] + p.z * m[2][2] + m[3][2]};
+  return transform.is_identity() ? p : point_times(p, transform.inverse_matrix());
 }
 
 template <class L>

@@ -2,6 +2,7 @@
 
 #include "render/camera/lens.h"
 #include "render/math/pixel_grid.h"
+#include "render/math/unit_columns.h"
 #include "render/scene/scene.h"
 #include "render/surface/compiled_normal.h"
 #include "render/surface/compiled_pigment.h"
@@ -60,6 +61,7 @@ void PrimaryRays::append_block(std::span<const PrimaryPlace> places, PrimaryBatc
     }
   }
   if (normal_) tilt(places.size(), rays);
+  make_unit(rays.direction, places.size());
   for (std::size_t i = 0; i < places.size(); ++i) {
     if ((rays.missing >> i & 1u) != 0) {
       batch.dark.push_back(places[i].sample);
@@ -71,7 +73,7 @@ void PrimaryRays::append_block(std::span<const PrimaryPlace> places, PrimaryBatc
 
 void PrimaryRays::append_ray(const CameraRays& rays, std::size_t i, std::uint32_t sample, float share,
                              PrimaryBatch& batch) const {
-  const Ray& ray = batch.rays.emplace_back(Ray{rays.origin.vector(i), unit(rays.direction.vector(i))});
+  const Ray& ray = batch.rays.emplace_back(Ray{rays.origin.vector(i), rays.direction.vector(i)});
   RayTask& task = batch.tasks.emplace_back(unmade_);
   task.origin = ray.origin;
   task.medium = medium_.of(ray.origin);
@@ -87,6 +89,7 @@ void PrimaryRays::append_shared(const PicturePlaces& in_picture, std::span<const
   for (std::size_t number = 0; number < all.size(); ++number) {
     projection_->project_further(static_cast<int>(number), in_picture, all[number]);
     if (normal_) tilt(places.size(), all[number]);
+    make_unit(all[number].direction, places.size());
     for (std::size_t i = 0; i < places.size(); ++i) counts[i] += (all[number].missing >> i & 1u) != 0 ? 0 : 1;
   }
   for (std::size_t i = 0; i < places.size(); ++i) {

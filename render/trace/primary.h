@@ -69,6 +69,7 @@ class PrimaryRays {
   void append_block(std::span<const PrimaryPlace> places, PrimaryBatch& batch) const;
   /// The same where places have several rays.
   void append_shared(const PicturePlaces& in_picture, std::span<const PrimaryPlace> places, PrimaryBatch& batch) const;
+  /// Pre: the rays' directions have unit length.
   void append_ray(const CameraRays& rays, std::size_t i, std::uint32_t sample, float share, PrimaryBatch& batch) const;
   /// Turns the rays by the camera's normal.
   void tilt(std::size_t count, CameraRays& rays) const;
