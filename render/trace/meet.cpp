@@ -182,7 +182,7 @@ void Stepper::wear_own_textures() {
 // In the order of textures' numbers, and each with its coats in the order of its maps, so that what is added up for a
 // hit does not depend on the other hits of the block.
 void Stepper::meet_uneven() {
-  std::ranges::stable_sort(uneven_, {}, &Uneven::texture);
+  if (!std::ranges::is_sorted(uneven_, {}, &Uneven::texture)) std::ranges::stable_sort(uneven_, {}, &Uneven::texture);
   std::uint64_t by_uv = 0;
   for (const Uneven& uneven : uneven_) {
     const bool asks = table_->goes_by_uv(uneven.texture) || surfaces_[uneven.hit].part->uv_mapping;
