@@ -25,6 +25,7 @@ Shadow::Shadow(const TraceContext& context, const SurfaceTable& surfaces, const 
       veils_(veils),
       takes_parts_(std::ranges::any_of(context.scene.parts, [](const Part& part) { return !part.opaque; }) ||
                    std::ranges::any_of(context.scene.lights, [&](const Light& light) { return veils.weaken(light); })),
+      see_through_(context.scene),
       met_(std::make_unique_for_overwrite<SurfacePlaces>()),
       asked_(std::make_unique_for_overwrite<SurfacePoints>()),
       block_(std::make_unique<RayBlock>()) {}
@@ -59,8 +60,12 @@ void Shadow::pass_surfaces(const RayBlock& rays, std::uint64_t open, std::span<c
   for (; open != 0; open &= open - 1) {
     const auto i = static_cast<std::size_t>(std::countr_zero(open));
     const Light& light = context_.scene.lights[lights[i]];
-    ways_.push_back(Way{i, {rays.origin.vector(i), rays.direction.vector(i)}, rays.max_depth[i] + kShadowGap, media[i],
-                        veils_.weaken(light), Rgb(1.0f)});
+    Way way{i, rays.ray(i), rays.max_depth[i] + kShadowGap, media[i], veils_.weaken(light), Rgb(1.0f)};
+    if (see_through_.may_lie_on(way.ray)) {
+      ways_.push_back(way);
+    } else {
+      shares[i] = arriving(way);
+    }
   }
   RayBlock& block = *block_;
   while (!ways_.empty() && !Interrupt::asked()) {

@@ -5,6 +5,7 @@
 #include "render/scene/scene.h"
 #include "render/surface/surface_table.h"
 #include "render/trace/medium_table.h"
+#include "render/trace/see_through.h"
 #include "render/trace/trace_context.h"
 #include "render/trace/veil.h"
 
@@ -86,6 +87,7 @@ class Shadow {
   const SurfaceTable& surfaces_;
   const Veils& veils_;
   bool takes_parts_;
+  SeeThrough see_through_;
   std::unique_ptr<SurfacePlaces> met_;  ///< by each of ways_
   Columns3<double> normals_;            ///< of met_, where they are asked for
   Columns2<double> uvs_;                ///< likewise
