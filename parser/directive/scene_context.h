@@ -13,6 +13,8 @@
 
 namespace firstlight::parser {
 
+class FontStore;
+
 /// A scene's words about radiosity, for the checks when all is said.
 struct RadiosityText {
   Token word;  ///< of the last block
@@ -34,6 +36,7 @@ struct SceneContext {
   RadiosityText radiosity;
   render::ImageStore images;
   std::map<std::string, std::shared_ptr<const render::DensityGrid>> density_files;  ///< by path
+  std::shared_ptr<FontStore> fonts;  ///< null until there is text
   std::uint64_t size = 0;  ///< objects in the scene so far, with all that they are made of
 };
 

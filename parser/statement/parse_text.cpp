@@ -10,8 +10,11 @@
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
+#include <map>
+#include <memory>
 #include <string>
 #include <string_view>
+#include <tuple>
 #include <utility>
 #include <vector>
 
@@ -21,6 +24,40 @@ using render::Object;
 using render::ProfileSegment;
 using render::Vec2;
 using render::Vec3;
+
+/// The fonts of a scene, read once, and their letters, whose shapes all texts share.
+/// Memory   The last kMostFonts.
+class FontStore {
+ public:
+  struct Letter {
+    render::ShapePtr shape;  ///< null: nothing is seen
+    double left;             ///< the least x
+    std::uint32_t metrics;   ///< of the glyph whose widths it has
+  };
+  struct Font {
+    Font(const std::string& path, bool ascii, std::string& error) : outlines(path, ascii, error) {}
+
+    TrueTypeFont outlines;
+    std::map<std::tuple<std::uint32_t, bool, double>, Letter> letters;  ///< by glyph, whether it is blank, thickness
+
+    const Letter& letter(std::uint32_t glyph, bool blank, double thickness);
+  };
+
+  /// Null: it cannot be read, and `error` says why. `ascii`: see TrueTypeFont. The font is there until the next call.
+  Font* read(const std::string& path, bool ascii, std::string& error) {
+    const auto known = fonts_.find({path, ascii});
+    if (known != fonts_.end()) return known->second.get();
+    auto font = std::make_unique<Font>(path, ascii, error);
+    if (!error.empty()) return nullptr;
+    if (fonts_.size() == kMostFonts) fonts_.clear();
+    return (fonts_[{path, ascii}] = std::move(font)).get();
+  }
+
+ private:
+  static constexpr std::size_t kMostFonts = 16;
+
+  std::map<std::pair<std::string, bool>, std::unique_ptr<Font>> fonts_;
+};
 
 namespace {
 
@@ -71,6 +108,23 @@ void add_contour(const std::vector<TrueTypeFont::Point>& points, std::vector<Pro
   }
 }
 
+}  // namespace
+
+const FontStore::Letter& FontStore::Font::letter(std::uint32_t glyph, bool blank, double thickness) {
+  constexpr std::size_t kMostLetters = 4096;
+  if (letters.size() == kMostLetters) letters.clear();
+  const auto [at, is_new] = letters.try_emplace({glyph, blank, thickness});
+  if (!is_new) return at->second;
+  const TrueTypeFont::Glyph drawn = outlines.glyph(glyph, blank);
+  std::vector<ProfileSegment> outline;
+  for (const auto& contour : drawn.contours) add_contour(contour, outline);
+  at->second = {nullptr, drawn.left, drawn.metrics};
+  if (!outline.empty()) at->second.shape = render::make_letter(std::move(outline), thickness);
+  return at->second;
+}
+
+namespace {
+
 std::string font_file(Reader& reader) {
   if (reader.accept(Keyword::ttf)) return parse_file_name(reader, {".ttf"});
   const Token& word = reader.peek();
@@ -87,8 +141,10 @@ void parse_text(Reader& reader, SceneContext& context, const Token& word, Object
   const std::string file = font_file(reader);
   std::string error;
   const bool ascii = context.builder.settings().charset == render::Charset::ascii;
-  const TrueTypeFont font(file, ascii, error);
-  if (!error.empty()) reader.fail(at, "the font " + file + " cannot be used: " + error);
+  if (!context.fonts) context.fonts = std::make_shared<FontStore>();
+  FontStore::Font* const font = context.fonts->read(file, ascii, error);
+  if (font == nullptr) reader.fail(at, "the font " + file + " cannot be used: " + error);
+  const TrueTypeFont& outlines = font->outlines;
   reader.skip_comma();
   const std::string text = reader.string();
   reader.skip_comma();
@@ -103,21 +159,20 @@ void parse_text(Reader& reader, SceneContext& context, const Token& word, Object
   for (std::size_t i = 0; i < text.size();) {
     const bool first = i == 0;
     const std::uint32_t character = next_character(text, i);
-    const std::uint32_t index = font.glyph_of(character);
-    const TrueTypeFont::Glyph glyph = font.glyph(index, character == ' ');
-    const double kerning = first ? 0.0 : font.kerning(last, glyph.metrics);
-    const double bearing = font.left_bearing(glyph.metrics);
+    const std::uint32_t index = outlines.glyph_of(character);
+    const FontStore::Letter& glyph = font->letter(index, character == ' ', thickness);
+    const double kerning = first ? 0.0 : outlines.kerning(last, glyph.metrics);
+    const double bearing = outlines.left_bearing(glyph.metrics);
     const double left = first ? -glyph.left : place.x + bearing - glyph.left + kerning;
-    std::vector<ProfileSegment> outline;
-    for (const auto& contour : glyph.contours) add_contour(contour, outline);
-    if (!outline.empty()) {
+    if (glyph.shape != nullptr) {
       Object& letter = letters.emplace_back();
       letter.word = object.word;
-      letter.shape = render::make_letter(std::move(outline), thickness);
+      letter.shape = glyph.shape;
       render::place(letter, render::Transform::translation(Vec3(left, place.y, place.z)));
       count_in(reader, word, object, letter);
     }
-    place.x = first ? font.advance(glyph.metrics) - bearing : place.x + font.advance(glyph.metrics) + kerning;
+    const double advance = outlines.advance(glyph.metrics);
+    place.x = first ? advance - bearing : place.x + advance + kerning;
     place += offset;
     last = index;
   }

@@ -20,14 +20,19 @@ constexpr std::size_t kMostGlyphPoints = std::size_t{1} << 16;
 // Flags of points.
 constexpr std::uint32_t kOnCurve = 1, kShortX = 2, kShortY = 4, kRepeat = 8, kSameX = 16, kSameY = 32;
 // Flags of parts.
-constexpr std::uint32_t kWords = 1, kOffsets = 2, kScale = 8, kMore = 32, kTwoScales = 64, kMatrix = 128, kMetrics = 512;
+constexpr std::uint32_t kWords = 1, kOffsets = 2, kScale = 8, kMore = 32, kTwoScales = 64, kMatrix = 128,
+                        kMetrics = 512;
 
 }  // namespace
 
 TrueTypeFont::TrueTypeFont(const std::string& path, bool ascii, std::string& error) {
-  std::ifstream stream(path, std::ios::binary);
-  bytes_.assign(std::istreambuf_iterator<char>(stream), std::istreambuf_iterator<char>());
-  if (bytes_.size() > kMostBytes) bytes_.clear();
+  std::ifstream stream(path, std::ios::binary | std::ios::ate);
+  const auto size = static_cast<std::streamoff>(stream.tellg());
+  if (size > 0 && static_cast<std::uint64_t>(size) <= kMostBytes) {
+    bytes_.resize(static_cast<std::size_t>(size));
+    stream.seekg(0);
+    stream.read(bytes_.data(), size);
+  }
   const std::size_t head = table("head");
   glyphs_ = table("glyf");
   places_ = table("loca");
@@ -222,7 +227,8 @@ double TrueTypeFont::advance(std::uint32_t index) const {
 
 double TrueTypeFont::left_bearing(std::uint32_t index) const {
   if (index < width_count_) return s16(widths_ + 4 * static_cast<std::size_t>(index) + 2) / em_;
-  return s16(widths_ + 4 * static_cast<std::size_t>(width_count_) + 2 * static_cast<std::size_t>(index - width_count_)) /
+  return s16(widths_ + 4 * static_cast<std::size_t>(width_count_) +
+             2 * static_cast<std::size_t>(index - width_count_)) /
          em_;
 }
 
