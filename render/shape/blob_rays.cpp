@@ -27,6 +27,11 @@ struct Change {
   double at;
   std::uint32_t visit;
   bool enters;
+
+  /// Of changes at the same place that of the later visit comes first.
+  static bool comes_later(const Change& a, const Change& b) {
+    return a.at > b.at || (a.at == b.at && (a.visit < b.visit || (a.visit == b.visit && b.enters)));
+  }
 };
 
 /// An element, and the rays that come through its field.
@@ -39,40 +44,39 @@ struct Visit {
 /// A ray's way through the fields. The quartic of their sum is in a parameter that goes from about 0 to 1 between the
 /// first change and the last.
 struct Way {
-  std::vector<Change> changes;
-  std::size_t next = 0;  ///< change
+  std::vector<Change> changes;  ///< a heap from begin() on, the first on top: most are behind the surface that is seen
+  double start;
+  double scale;
   Quartic sum;
-  int count = 0;  ///< fields that the ray is in
+  int count;  ///< fields that the ray is in
 
-  /// Keeps the changes in order. What is added stands before what is at the same place.
   void add(std::uint32_t visit, double begin, double end) {
-    const auto before = [](const Change& change, double at) { return change.at < at; };
-    const auto enters =
-        changes.insert(std::lower_bound(changes.begin(), changes.end(), begin, before), {begin, visit, true});
-    changes.insert(std::lower_bound(enters + 1, changes.end(), end, before), {end, visit, false});
+    changes.push_back({begin, visit, true});
+    changes.push_back({end, visit, false});
   }
   /// Sets where the parameter is 0, and what 1 is, as depths of the ray.
-  void scale_to(double& start, double& scale) {
-    start = changes.front().at < kNegligible ? 0.0 : changes.front().at;
-    scale = changes.front().at - start;
-    for (Change& change : changes) {
-      change.at -= start;
-      scale = std::max(scale, change.at);
-    }
+  void begin(double threshold) {
+    const auto [first, last] = std::ranges::minmax(changes, {}, &Change::at);
+    start = first.at < kNegligible ? 0.0 : first.at;
+    scale = std::max(first.at - start, last.at - start);
     if (scale == 0.0) scale = 1.0;
-    for (Change& change : changes) change.at /= scale;
+    std::ranges::make_heap(changes, Change::comes_later);
+    sum = {-threshold, 0.0, 0.0, 0.0, 0.0};
+    count = 0;
   }
   /// Goes on to the next part with one sum of fields. False: there is none.
   bool advance(const std::vector<Visit>& visits, std::size_t ray, double& low, double& high) {
-    while (next + 1 < changes.size()) {
-      const Change& change = changes[next++];
+    while (changes.size() > 1) {
+      std::ranges::pop_heap(changes, Change::comes_later);
+      const Change change = changes.back();
+      changes.pop_back();
       const std::array<Column<double>, 5>& along = visits[change.visit].along;
       const double sign = change.enters ? 1.0 : -1.0;
       for (std::size_t k = 0; k < 5; ++k) sum[k] += sign * along[k][ray];
       count += change.enters ? 1 : -1;
       if (count == 0) continue;
-      low = change.at;
-      high = changes[next].at;
+      low = (change.at - start) / scale;
+      high = (changes.front().at - start) / scale;
       if (high - low >= kEpsilon) return true;
     }
     return false;
@@ -179,8 +183,9 @@ HWY_INLINE Chord<L> crossed(const BlobElement& element, const RayOf<L>& given) {
   const auto leaves_out = side * (from.z + end * ray.direction.z) <= 0.0;
   const L at_plane = -from.z / ray.direction.z;
   const L cut = select(at_plane < kNearest, L(0.0), at_plane);
-  return {select(enters_out, cut, begin) / length, select(without(leaves_out, enters_out), cut, end) / length,
-          without(meets, enters_out & leaves_out)};
+  const L first = select(enters_out, cut, begin) / length;
+  const L last = select(without(leaves_out, enters_out), cut, end) / length;
+  return {first, last, without(meets & (first < last), enters_out & leaves_out)};
 }
 
 /// The element's field along rays whose directions may have any length.
@@ -288,10 +293,9 @@ void meet_field(const BlobField& field, const Transform& transform, const RayCol
     Way& way = ways.of[i];
     if (way.changes.empty()) continue;
     open |= std::uint64_t{1} << i;
-    way.scale_to(start[i], scale[i]);
-    way.next = 0;
-    way.sum = {-field.threshold, 0.0, 0.0, 0.0, 0.0};
-    way.count = 0;
+    way.begin(field.threshold);
+    start[i] = way.start;
+    scale[i] = way.scale;
   }
   if (open == 0) return;
   find_fields(own.rays, start, scale, ways);
