@@ -3,40 +3,134 @@
 #include "render/math/interrupt.h"
 #include "render/math/ray_tree.h"
 #include "render/math/transform.h"
+#include "render/shape/patch_faces.h"
 #include "render/shape/slots.h"
 #include "render/shape/tolerance.h"
 
+#undef HWY_TARGET_INCLUDE
+#define HWY_TARGET_INCLUDE "render/shape/bicubic_patch.cpp"
+#include <hwy/foreach_target.h>
+
+#include "render/lanes/lanes-inl.h"
+#include "render/lanes/length-inl.h"
+
 #include <algorithm>
+#include <array>
 #include <cmath>
-#include <limits>
 #include <memory>
-#include <utility>
 #include <vector>
 
+#ifndef FIRSTLIGHT_RENDER_SHAPE_BICUBIC_PATCH
+#define FIRSTLIGHT_RENDER_SHAPE_BICUBIC_PATCH
 namespace firstlight::render {
+namespace {
+
+/// A part of the unit square.
+struct Square {
+  double u0 = 0.0, u1 = 1.0, v0 = 0.0, v1 = 1.0;
+};
+
+/// Places on a patch, each in one of the two triangles of a piece.
+struct PatchPlaces {
+  Column<double> u, v;
+  Column<double> u0, u1, v0, v1;  ///< the piece's square
+  Column<double> is_second;       ///< 1 in the triangle with the corner (u1, v0), 0 in that with (u0, v1)
+};
+
+}  // namespace
+}  // namespace firstlight::render
+#endif
+
+HWY_BEFORE_NAMESPACE();
+namespace firstlight::render {
+namespace HWY_NAMESPACE {
+
+/// Bernstein's polynomials of order 3, and their derivatives.
+template <class L>
+struct CubicBasis {
+  L value[4];
+  L slope[4];
+};
+
+template <class L>
+HWY_INLINE CubicBasis<L> cubic_basis(const L& t) {
+  const L s = 1.0 - t;
+  return {{s * s * s, 3.0 * t * s * s, 3.0 * t * t * s, t * t * t},
+          {-3.0 * s * s, 3.0 * (s * s - 2.0 * t * s), 3.0 * (2.0 * t * s - t * t), 3.0 * t * t}};
+}
+
+/// The normal of the whole patch, of unit length.
+template <class L>
+HWY_INLINE Vec3Of<L> normal_at(const BicubicPatchParameters::Points& points, const L& u, const L& v) {
+  const CubicBasis<L> along_u = cubic_basis(u), along_v = cubic_basis(v);
+  Vec3Of<L> du{0.0, 0.0, 0.0}, dv{0.0, 0.0, 0.0};
+  for (std::size_t i = 0; i < 4; ++i) {
+    for (std::size_t j = 0; j < 4; ++j) {
+      const auto point = everywhere<L>(points[i][j]);
+      du = du + point * (along_u.slope[i] * along_v.value[j]);
+      dv = dv + point * (along_u.value[i] * along_v.slope[j]);
+    }
+  }
+  const Vec3Of<L> normal = cross(du, dv);
+  const auto counts = dot(normal, normal) > kEpsilon * dot(du, du) * dot(dv, dv);
+  return select<L>(counts, normalized(normal), {1.0, 0.0, 0.0});
+}
+
+/// Interpolated between those of the corners of the triangle that was met.
+template <class L>
+HWY_INLINE Vec3Of<L> interpolated_normal(const BicubicPatchParameters::Points& points, const PatchPlaces& places,
+                                         std::size_t i) {
+  const L u0 = load<L>(places.u0, i), u1 = load<L>(places.u1, i);
+  const L v0 = load<L>(places.v0, i), v1 = load<L>(places.v1, i);
+  const L along_u = (load<L>(places.u, i) - u0) / (u1 - u0);
+  const L along_v = (load<L>(places.v, i) - v0) / (v1 - v0);
+  const auto is_second = load<L>(places.is_second, i) != 0.0;
+  const Vec3Of<L> first = normal_at(points, u0, v0), last = normal_at(points, u1, v1);
+  const Vec3Of<L> between = normal_at(points, select(is_second, u1, u0), select(is_second, v0, v1));
+  const Vec3Of<L> n = first * select(is_second, 1.0 - along_u, 1.0 - along_v) +
+                      select<L>(is_second, last, between) * select(is_second, along_v, along_v - along_u) +
+                      select<L>(is_second, between, last) * select(is_second, along_u - along_v, along_u);
+  return select<L>(dot(n, n) > kEpsilon, normalized(n), {1.0, 0.0, 0.0});
+}
+
+void find_patch_normals(const BicubicPatchParameters::Points& points, const PatchPlaces& places, std::size_t count,
+                        Columns3<double>& normals) {
+  for (std::size_t i = 0; i < count; i += Lanes::kCount) {
+    store3(interpolated_normal<Lanes>(points, places, i), normals, i);
+  }
+}
+
+}  // namespace HWY_NAMESPACE
+}  // namespace firstlight::render
+HWY_AFTER_NAMESPACE();
+
+#if HWY_ONCE
+namespace firstlight::render {
+
+HWY_EXPORT(find_patch_normals);
+
 namespace {
 
 using Points = BicubicPatchParameters::Points;
 
-constexpr double kNearest = 1e-5;  ///< POV-Ray's for this shape
 /// No patch is cut more often either way: a side is then a millionth as long.
 constexpr int kMostSteps = 20;
 /// Up to so many halvings each way the pieces are made beforehand; where that is not enough, the rest when a ray comes.
 constexpr int kMostStepsBefore = 6;
-constexpr std::size_t kMostInLeaf = 1;  ///< pieces are met one by one
+constexpr std::size_t kMostInLeaf = 1;  ///< pieces that are finished when a ray comes are met one by one
 
 Vec3 half(const Vec3& a, const Vec3& b) { return (a + b) * 0.5; }
 
 /// A part of a patch, with its part of the unit square.
 struct Piece {
   Points points;
-  double u0 = 0.0, u1 = 1.0, v0 = 0.0, v1 = 1.0;
+  Square square;
   int depth = 0;  ///< how often it was halved each way, if there are so many steps
 
   /// The lower half along u, which the first index goes by; this becomes the upper.
   Piece take_left() {
     Piece left = *this;
-    left.u1 = u0 = 0.5 * (u0 + u1);
+    left.square.u1 = square.u0 = 0.5 * (square.u0 + square.u1);
     for (std::size_t i = 0; i < 4; ++i) {
       split({points[0][i], points[1][i], points[2][i], points[3][i]},
             [&](std::size_t k, const Vec3& low, const Vec3& high) {
@@ -48,7 +142,7 @@ struct Piece {
   }
   Piece take_bottom() {
     Piece bottom = *this;
-    bottom.v1 = v0 = 0.5 * (v0 + v1);
+    bottom.square.v1 = square.v0 = 0.5 * (square.v0 + square.v1);
     for (std::size_t i = 0; i < 4; ++i) {
       split({points[i][0], points[i][1], points[i][2], points[i][3]},
             [&](std::size_t k, const Vec3& low, const Vec3& high) {
@@ -58,6 +152,7 @@ struct Piece {
     }
     return bottom;
   }
+  PatchFaces::Corners corners() const { return {points[0][0], points[0][3], points[3][3], points[3][0]}; }
   Box3 box() const {
     Box3 box;
     for (const auto& row : points) {
@@ -102,123 +197,60 @@ struct Piece {
   }
 };
 
-/// Where a ray meets one of the two triangles of a piece: shares of the corners but the first.
-struct TriangleHit {
-  double depth;
-  double a;
-  double b;
-};
-
-bool meet_triangle(const Ray& ray, const Vec3& p0, const Vec3& p1, const Vec3& p2, TriangleHit& hit) {
-  const Vec3 b0 = p1 - p0;
-  const Vec3 b1 = p2 - p0;
-  Vec3 b2 = b0.cross(b1);
-  const double square = b2.length2();
-  if (square <= kEpsilon * b1.length2() * b0.length2()) return false;
-  b2 = b2 * (1.0 / std::sqrt(square));
-  const double determinant = b0.dot(b1.cross(b2));
-  if (std::abs(determinant) < kEpsilon) return false;
-  const Vec3 across = b0.cross(b1) / determinant;
-  const double approach = ray.direction.dot(across);
-  if (std::abs(approach) < kEpsilon) return false;
-  hit.depth = (p0 - ray.origin).dot(across) / approach;
-  if (hit.depth < kNearest) return false;
-  const Vec3 q = ray.at(hit.depth) - p0;
-  hit.a = q.dot(b1.cross(b2)) / determinant;
-  hit.b = q.dot(b2.cross(b0)) / determinant;
-  return hit.a >= 0.0 && hit.b >= 0.0 && hit.a + hit.b <= 1.0;
-}
-
-/// The normal of the whole patch, of unit length.
-Vec3 normal_at(const Points& points, double u, double v) {
-  struct Basis {
-    std::array<double, 4> value;
-    std::array<double, 4> slope;
-
-    explicit Basis(double t) {
-      const double s = 1.0 - t;
-      value = {s * s * s, 3.0 * t * s * s, 3.0 * t * t * s, t * t * t};
-      slope = {-3.0 * s * s, 3.0 * (s * s - 2.0 * t * s), 3.0 * (2.0 * t * s - t * t), 3.0 * t * t};
-    }
-  };
-  const Basis along_u(u);
-  const Basis along_v(v);
-  Vec3 du(0.0);
-  Vec3 dv(0.0);
-  for (std::size_t i = 0; i < 4; ++i) {
-    for (std::size_t j = 0; j < 4; ++j) {
-      du += points[i][j] * (along_u.slope[i] * along_v.value[j]);
-      dv += points[i][j] * (along_u.value[i] * along_v.slope[j]);
-    }
-  }
-  const Vec3 normal = du.cross(dv);
-  if (!(normal.length2() > kEpsilon * du.length2() * dv.length2())) return Vec3(1.0, 0.0, 0.0);
-  return normal.normalized();
-}
-
 /// A patch in world space: how finely it is cut depends on its size there. It has no inside.
 class BicubicPatch final : public Shape {
  public:
   explicit BicubicPatch(const BicubicPatchParameters& parameters) : parameters_(parameters) {
     parameters_.u_steps = std::min(parameters_.u_steps, kMostSteps);
     parameters_.v_steps = std::min(parameters_.v_steps, kMostSteps);
+    std::vector<PatchFaces::Corners> corners;
     std::vector<Box3> boxes;
-    std::vector<Box3> unfinished_boxes;
     for_each_leaf(
         whole(), kMostStepsBefore, [](const Piece&) { return true; },
         [&](const Piece& piece) {
           if (is_leaf(piece)) {
-            const Leaf& leaf = leaves_.emplace_back(piece);
-            Box3& box = boxes.emplace_back();
-            for (const Vec3& corner : leaf.corners) box.extendBy(corner);
+            squares_.push_back(piece.square);
+            corners.push_back(piece.corners());
           } else {
             unfinished_.push_back(piece);
-            unfinished_boxes.push_back(piece.box());
+            boxes.push_back(piece.box());
           }
         });
-    boxes.insert(boxes.end(), unfinished_boxes.begin(), unfinished_boxes.end());
-    tree_ = RayTree(boxes, kMostInLeaf);
+    faces_ = PatchFaces(corners);
+    unfinished_tree_ = RayTree(boxes, kMostInLeaf);
   }
 
-  void crossings(const Ray& ray, std::vector<Crossing>& out) const override { meet(ray, kBoundless, out); }
-  void nearest(const Ray& ray, double, double high, std::vector<Crossing>& out) const override { meet(ray, high, out); }
+  void crossings(const Ray& ray, std::vector<Crossing>& out) const override { nearest(ray, 0.0, kBoundless, out); }
+  void nearest(const Ray& ray, double, double high, std::vector<Crossing>& out) const override {
+    meet(alone(ray), 1, alone(high), [&](std::size_t, double depth, std::uint32_t face, const auto& place) {
+      out.push_back({depth, this, 0, face, place});
+    });
+  }
   void meet_block(const RayColumns& rays, std::uint64_t who, const DepthWindow* nearest_only,
                   Slots& slots) const override {
     Column<double> boundless;
     boundless.at.fill(kBoundless);
-    std::vector<RayTree::Found>& found = found_of_thread();
-    tree_.find(rays, who, nearest_only ? nearest_only->high : boundless, found);
-    std::ranges::stable_sort(found, {}, &RayTree::Found::ray);
-    thread_local std::vector<Crossing> list;
     SlotLists lists(*this, slots, true);
-    for (auto next = found.begin(); next != found.end();) {
-      const std::size_t i = next->ray;
-      const Ray ray = rays.ray(i);
-      list.clear();
-      for (; next != found.end() && next->ray == i; ++next) meet(next->box, ray, list);
-      for (const Crossing& crossing : list) lists.add(i, crossing.depth, crossing.face, crossing.place);
-      if (slots.overflowed()) return;
-    }
+    meet(rays, who, nearest_only ? nearest_only->high : boundless,
+         [&](std::size_t ray, double depth, std::uint32_t face, const auto& place) {
+           lists.add(ray, depth, face, place);
+         });
   }
   bool is_over_lanes() const override { return true; }
   bool inside(const Vec3&) const override { return false; }
-  /// Interpolated between those of the corners of the triangle that was met.
   Vec3 normal(const Vec3&, const Crossing& crossing) const override {
-    const auto [u, v] = crossing.place;
-    const std::size_t place = crossing.face / 2;
-    const Leaf piece = place < leaves_.size() ? leaves_[place] : Leaf(leaf_at(u, v));
-    const double along_u = (u - piece.u0) / (piece.u1 - piece.u0);
-    const double along_v = (v - piece.v0) / (piece.v1 - piece.v0);
-    const auto at = [&](double pu, double pv) { return normal_at(parameters_.points, pu, pv); };
-    const Vec3 first = at(piece.u0, piece.v0);
-    const Vec3 last = at(piece.u1, piece.v1);
-    Vec3 n;
-    if (crossing.face % 2 == 0) {
-      n = first * (1.0 - along_v) + at(piece.u0, piece.v1) * (along_v - along_u) + last * along_u;
-    } else {
-      n = first * (1.0 - along_u) + last * along_v + at(piece.u1, piece.v0) * (along_u - along_v);
-    }
-    return n.length2() > kEpsilon ? n.normalized() : Vec3(1.0, 0.0, 0.0);
+    PatchPlaces place;
+    set(place, 0, crossing);
+    const auto n = HWY_NAMESPACE::interpolated_normal<One>(parameters_.points, place, 0);
+    return {n.x.v, n.y.v, n.z.v};
+  }
+  void normals(const SurfacePlaces& places, std::size_t first, std::size_t end, Columns3<double>& out) const override {
+    PatchPlaces on_patch;
+    const std::size_t count = end - first;
+    for (std::size_t i = 0; i < count; ++i) set(on_patch, i, *places.crossing[first + i]);
+    Columns3<double> found;
+    HWY_DYNAMIC_DISPATCH(find_patch_normals)(parameters_.points, on_patch, count, found);
+    for (std::size_t i = 0; i < count; ++i) out.set(first + i, found.vector(i));
   }
   Vec2 uv(const Vec3&, const Crossing& crossing) const override {
     const auto [u, v] = crossing.place;
@@ -239,19 +271,7 @@ class BicubicPatch final : public Shape {
   ShapePtr inverted() const override { return std::make_shared<BicubicPatch>(*this); }
 
  private:
-  struct Leaf {
-    std::array<Vec3, 4> corners;  ///< at (u0, v0), (u0, v1), (u1, v1), (u1, v0)
-    double u0, u1, v0, v1;
-
-    explicit Leaf(const Piece& piece)
-        : corners{piece.points[0][0], piece.points[0][3], piece.points[3][3], piece.points[3][0]},
-          u0(piece.u0),
-          u1(piece.u1),
-          v0(piece.v0),
-          v1(piece.v1) {}
-  };
-
-  Piece whole() const { return {parameters_.points}; }
+  Piece whole() const { return {parameters_.points, {}}; }
   /// Whether a piece is not cut further.
   bool is_leaf(const Piece& piece) const {
     if (piece.depth >= parameters_.u_steps && piece.depth >= parameters_.v_steps) return true;
@@ -278,48 +298,69 @@ class BicubicPatch final : public Shape {
       const int depth = piece.depth++;
       if (depth < parameters_.u_steps) {
         const Piece left = piece.take_left();
-        if (u < left.u1) piece = left;
+        if (u < left.square.u1) piece = left;
       }
       if (depth < parameters_.v_steps) {
         const Piece bottom = piece.take_bottom();
-        if (v < bottom.v1) piece = bottom;
+        if (v < bottom.square.v1) piece = bottom;
       }
     }
     return piece;
   }
-  static std::vector<RayTree::Found>& found_of_thread() {
+  static void set(PatchPlaces& places, std::size_t i, const Square& square) {
+    places.u0[i] = square.u0;
+    places.u1[i] = square.u1;
+    places.v0[i] = square.v0;
+    places.v1[i] = square.v1;
+  }
+  void set(PatchPlaces& places, std::size_t i, const Crossing& crossing) const {
+    const auto [u, v] = crossing.place;
+    const std::size_t piece = crossing.face / 2;
+    places.u[i] = u;
+    places.v[i] = v;
+    places.is_second[i] = crossing.face % 2;
+    set(places, i, piece < squares_.size() ? squares_[piece] : leaf_at(u, v).square);
+  }
+  /// Where in the unit square a triangle of a piece is met.
+  static std::array<double, 2> place_of(const PatchFaces::Met& met, const Square& square) {
+    const double du = square.u1 - square.u0;
+    const double dv = square.v1 - square.v0;
+    const double both = met.a + met.b;
+    return met.face % 2 == 0 ? std::array{square.u0 + met.b * du, square.v0 + both * dv}
+                             : std::array{square.u0 + both * du, square.v0 + met.a * dv};
+  }
+  /// Calls take(ray, depth, face, place) for what those rays in `who` meet.
+  template <class Take>
+  void meet(const RayColumns& rays, std::uint64_t who, const Column<double>& high, const Take& take) const {
+    thread_local std::vector<PatchFaces::Met> met;
+    met.clear();
+    faces_.meet(rays, who, high, met);
+    for (const PatchFaces::Met& there : met) {
+      take(there.ray, there.depth, there.face, place_of(there, squares_[there.face / 2]));
+    }
+    if (unfinished_.empty()) return;
     thread_local std::vector<RayTree::Found> found;
     found.clear();
-    return found;
-  }
-  void meet(const Ray& ray, double high, std::vector<Crossing>& out) const {
-    std::vector<RayTree::Found>& found = found_of_thread();
-    tree_.find(ray, high, found);
-    for (const auto& [number, place] : found) meet(place, ray, out);
-  }
-  /// Meets the leaf or the unfinished piece at a place of the tree.
-  void meet(std::uint32_t place, const Ray& ray, std::vector<Crossing>& out) const {
-    if (place < leaves_.size()) return meet(leaves_[place], 2 * place, ray, out);
-    const auto is_near = [&](const Piece& piece) { return meets(ray, padded(piece.box(), 1e-9, 1e-12)); };
-    for_each_leaf(unfinished_[place - leaves_.size()], kMostSteps, is_near,
-                  [&](const Piece& piece) { meet(Leaf(piece), 2 * place, ray, out); });
-  }
-  void meet(const Leaf& leaf, std::uint32_t face, const Ray& ray, std::vector<Crossing>& out) const {
-    const double du = leaf.u1 - leaf.u0;
-    const double dv = leaf.v1 - leaf.v0;
-    TriangleHit hit;
-    if (meet_triangle(ray, leaf.corners[0], leaf.corners[1], leaf.corners[2], hit)) {
-      out.push_back({hit.depth, this, 0, face, {leaf.u0 + hit.b * du, leaf.v0 + (hit.a + hit.b) * dv}});
-    }
-    if (meet_triangle(ray, leaf.corners[0], leaf.corners[2], leaf.corners[3], hit)) {
-      out.push_back({hit.depth, this, 0, face + 1, {leaf.u0 + (hit.a + hit.b) * du, leaf.v0 + hit.a * dv}});
+    unfinished_tree_.find(rays, who, high, found);
+    for (const RayTree::Found& near : found) {
+      const Ray ray = rays.ray(near.ray);
+      const auto is_near = [&](const Piece& piece) { return meets(ray, padded(piece.box(), 1e-9, 1e-12)); };
+      const auto face = static_cast<std::uint32_t>(squares_.size()) + near.box;
+      for_each_leaf(unfinished_[near.box], kMostSteps, is_near, [&](const Piece& piece) {
+        met.clear();
+        PatchFaces::meet(piece.corners(), ray, face, met);
+        for (const PatchFaces::Met& there : met) {
+          take(near.ray, there.depth, there.face, place_of(there, piece.square));
+        }
+      });
     }
   }
 
   BicubicPatchParameters parameters_;
-  std::vector<Leaf> leaves_;
+  std::vector<Square> squares_;  ///< of the pieces that are made beforehand
+  PatchFaces faces_;
   std::vector<Piece> unfinished_;
-  RayTree tree_;  ///< over the leaves, then the unfinished pieces
+  RayTree unfinished_tree_;
 };
 
 }  // namespace
@@ -329,3 +370,4 @@ ShapePtr make_bicubic_patch(const BicubicPatchParameters& parameters) {
 }
 
 }  // namespace firstlight::render
+#endif
