@@ -118,9 +118,9 @@ class TieOrder::Search {
   double nearest() const { return best_.depth; }
   Hit result() const { return best_.part == kNoIndex ? Hit() : best_; }
 
-  void ask(std::uint32_t number) {
+  void ask(std::uint32_t number, const Box3& box) {
     const Solid& solid = scene_.solids[number];
-    if ((solid.hidden_from & hidden_bit_) != 0 || !meets(ray_, solid.box())) return;
+    if ((solid.hidden_from & hidden_bit_) != 0 || !meets(ray_, box)) return;
     thread_local std::vector<Crossing> crossings;
     crossings.clear();
     solid.crossings(ray_, hidden_bit_, crossings);
@@ -140,15 +140,20 @@ class TieOrder::Search {
 };
 
 /// The first who asks plants it; what an interrupt has left unfinished nobody else will use.
-const SlabTree& TieOrder::tree() const {
-  if (const SlabTree* tree = tree_.load(std::memory_order_acquire)) return *tree;
+const TieOrder::Planted& TieOrder::planted() const {
+  if (const Planted* ready = ready_.load(std::memory_order_acquire)) return *ready;
   const std::scoped_lock lock(planting_);
   if (!planted_) {
     std::vector<Extent> extents;
+    std::vector<Box3> boxes;
     extents.reserve(scene_.solids.size());
-    for (const Solid& solid : scene_.solids) extents.push_back(solid.extent());
-    planted_ = std::make_unique<const SlabTree>(extents);
-    tree_.store(planted_.get(), std::memory_order_release);
+    boxes.reserve(scene_.solids.size());
+    for (const Solid& solid : scene_.solids) {
+      extents.push_back(solid.extent());
+      boxes.push_back(solid.box());
+    }
+    planted_ = std::make_unique<const Planted>(Planted{SlabTree(extents), std::move(boxes)});
+    ready_.store(planted_.get(), std::memory_order_release);
   }
   return *planted_;
 }
@@ -156,10 +161,13 @@ const SlabTree& TieOrder::tree() const {
 Hit TieOrder::seen(const RayBlock& rays, std::size_t i) const {
   Search search(scene_, rays, i);
   if (scene_.solids.size() + scene_.lights.size() < kBoundingThreshold) {
-    for (std::uint32_t solid = 0; solid < scene_.solids.size(); ++solid) search.ask(solid);
+    for (std::uint32_t solid = 0; solid < scene_.solids.size(); ++solid) {
+      search.ask(solid, scene_.solids[solid].box());
+    }
     return search.result();
   }
-  const SlabTree& tree = this->tree();
+  const SlabTree& tree = planted().tree;
+  const std::vector<Box3>& boxes = planted().boxes;
   const SlabRay ray(search.ray());
   thread_local NodeHeap heap;
   heap.clear();
@@ -174,7 +182,7 @@ Hit TieOrder::seen(const RayBlock& rays, std::size_t i) const {
     if (entry.depth > search.nearest()) break;
     const SlabTree::Node& node = tree.node(entry.node);
     if (node.count == 0) {
-      search.ask(node.first);
+      search.ask(node.first, boxes[node.first]);
     } else {
       for (const std::uint32_t child : tree.children(node)) push(child);
     }

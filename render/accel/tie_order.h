@@ -7,6 +7,7 @@
 #include <atomic>
 #include <memory>
 #include <mutex>
+#include <vector>
 
 namespace firstlight::render {
 
@@ -35,13 +36,18 @@ class TieOrder {
 
  private:
   class Search;
+  /// All that is made when the first ray is in doubt.
+  struct Planted {
+    SlabTree tree;
+    std::vector<Box3> boxes;  ///< of the solids
+  };
 
-  const SlabTree& tree() const;
+  const Planted& planted() const;
 
   const Scene& scene_;
   mutable std::mutex planting_;
-  mutable std::unique_ptr<const SlabTree> planted_;
-  mutable std::atomic<const SlabTree*> tree_ = nullptr;
+  mutable std::unique_ptr<const Planted> planted_;
+  mutable std::atomic<const Planted*> ready_ = nullptr;
 };
 
 }  // namespace firstlight::render
