@@ -12,7 +12,7 @@ namespace firstlight::render {
 /// Equations of one order that wait until there are enough of them to be solved side by side.
 class RootBatch {
  public:
-  static constexpr std::size_t kMostRoots = 6;
+  static constexpr std::size_t kMostRoots = 10;
 
   std::size_t size() const { return count_; }
   bool takes(std::size_t order) const { return count_ == 0 || (count_ < kRaysAtOnce && order == polynomials_.order); }

@@ -20,14 +20,19 @@ struct ThroughSphere {
 };
 
 template <class L>
-HWY_INLINE ThroughSphere<L> through_sphere(const RayOf<L>& ray, const Vec3& center, double radius_squared) {
-  const Vec3Of<L> to_center = everywhere<L>(center) - ray.origin;
+HWY_INLINE ThroughSphere<L> through_sphere(const RayOf<L>& ray, const Vec3Of<L>& center,
+                                           const Same<L>& radius_squared) {
+  const Vec3Of<L> to_center = center - ray.origin;
   const L distance_squared = dot(to_center, to_center);
   const L closest_approach = dot(to_center, ray.direction);
   const L half_chord_squared = radius_squared - distance_squared + closest_approach * closest_approach;
   const auto behind = (distance_squared >= radius_squared) & (closest_approach < kEpsilon);
   const L half_chord = sqrt(half_chord_squared);
   return {without(half_chord_squared > kEpsilon, behind), closest_approach - half_chord, closest_approach + half_chord};
+}
+template <class L>
+HWY_INLINE ThroughSphere<L> through_sphere(const RayOf<L>& ray, const Vec3& center, double radius_squared) {
+  return through_sphere(ray, everywhere<L>(center), radius_squared);
 }
 
 }  // namespace HWY_NAMESPACE

@@ -18,6 +18,7 @@
 #include "render/shape/quadric.h"
 #include "render/shape/slots.h"
 #include "render/shape/sor.h"
+#include "render/shape/sphere_sweep.h"
 #include "render/shape/superellipsoid.h"
 
 #include <array>
@@ -88,6 +89,17 @@ inline std::vector<NamedShape> shapes_of_equations() {
       {"blob of many", make_blob(many)->placed(turned)},
       {"ovus", make_ovus(0.9, 0.6)},
   };
+}
+
+/// Balls about the origin that grow and shrink along a curve, whose parts overlap.
+inline ShapePtr swept_balls(SphereSweepParameters::Spline spline, int count) {
+  SphereSweepParameters sweep;
+  sweep.spline = spline;
+  for (int i = 0; i < count; ++i) {
+    const double a = 0.9 * i;
+    sweep.balls.push_back({Vec3(std::cos(a), 1.6 * i / (count - 1) - 0.8, std::sin(a)), 0.3 + 0.1 * std::sin(3.0 * a)});
+  }
+  return make_sphere_sweep(sweep);
 }
 
 /// A landscape of hills about the origin, of 23 times 37 points.
@@ -221,6 +233,11 @@ inline std::vector<NamedShape> shapes_of_all_kinds() {
       {"turned quadric", make_quadric(paraboloid)->placed(turned)},
       {"torus", make_torus(0.9, 0.3)},
       {"superellipsoid", make_superellipsoid(0.3, 0.7)},
+      {"turned superellipsoid", make_superellipsoid(1.2, 0.2)->placed(turned)},
+      {"pinched superellipsoid", make_superellipsoid(0.5, 3.0)},
+      {"linear sphere sweep", swept_balls(SphereSweepParameters::Spline::linear, 4)},
+      {"cubic sphere sweep", swept_balls(SphereSweepParameters::Spline::cubic, 6)->placed(turned)},
+      {"sphere sweep of many", swept_balls(SphereSweepParameters::Spline::b_spline, 14)},
       {"height field", hilly_height_field()},
       {"turned height field", hilly_height_field()->placed(turned)},
       {"mesh", ball_of_triangles()},
