@@ -3,10 +3,18 @@
 #include "render/shape/placed.h"
 #include "render/shape/tolerance.h"
 
+#undef HWY_TARGET_INCLUDE
+#define HWY_TARGET_INCLUDE "render/shape/polygon.cpp"
+#include <hwy/foreach_target.h>
+
+#include "render/shape/lane_shape-inl.h"
+
 #include <cmath>
 #include <cstddef>
 #include <utility>
 
+#ifndef FIRSTLIGHT_RENDER_SHAPE_POLYGON
+#define FIRSTLIGHT_RENDER_SHAPE_POLYGON
 namespace firstlight::render {
 namespace {
 
@@ -18,17 +26,14 @@ constexpr double kFlat = 1e-10;           ///< how far from the plane a point ma
 struct Polygon {
   static constexpr bool kIsLarge = true;
   static constexpr bool kHasInside = false;
+  static constexpr std::size_t kSlots = 1;
 
   std::vector<Vec2> points;
 
-  void meet(const Ray& given, Met& met) const {
-    const auto [length, ray] = UnitRay(given);
-    if (std::abs(ray.direction.z) < kEpsilon) return;
-    const double t = -ray.origin.z / ray.direction.z;
-    if (!(t >= kNearest && t <= kMaxDistance)) return;
-    if (holds(ray.origin.x + t * ray.direction.x, ray.origin.y + t * ray.direction.y)) met.add(t / length);
-  }
+  void meet(const Ray& ray, Met& met) const;
   bool inside(const Vec3&, bool) const { return false; }
+  void meet_block(const RaysAndPlace& asked, Slots& slots) const;
+  std::uint64_t inside_block(const Transform&, bool, const Columns3<double>&, std::uint64_t) const { return 0; }
   Vec3 normal(const Vec3&, const Crossing&) const { return Vec3(0.0, 0.0, 1.0); }
   Box3 bounds() const {
     Box3 box;
@@ -38,23 +43,60 @@ struct Polygon {
     return box;
   }
   Box3 inside_bounds() const { return bounds(); }
-
- private:
-  /// Counts the lines that a ray along x meets. [Haines, Point in Polygon Strategies, 1994]
-  bool holds(double x, double y) const {
-    bool is_in = false;
-    std::size_t first = 0;
-    for (std::size_t i = 1; i < points.size(); ++i) {
-      const Vec2& a = points[i - 1];
-      const Vec2& b = points[i];
-      const bool a_above = a.y >= y;
-      const bool b_above = b.y >= y;
-      if (a_above != b_above && ((b.y - y) * (a.x - b.x) >= (b.x - x) * (a.y - b.y)) == b_above) is_in = !is_in;
-      if (i + 2 < points.size() && b == points[first]) first = ++i;
-    }
-    return is_in;
-  }
 };
+
+}  // namespace
+}  // namespace firstlight::render
+#endif
+
+HWY_BEFORE_NAMESPACE();
+namespace firstlight::render {
+namespace HWY_NAMESPACE {
+
+template <class Mask>
+HWY_INLINE Mask differing(const Mask& a, const Mask& b) {
+  return without(a | b, a & b);
+}
+
+/// Counts the lines that a ray along x meets. [Haines, Point in Polygon Strategies, 1994]
+template <class L>
+HWY_INLINE MaskOf<L> holds(const Polygon& polygon, const L& x, const L& y) {
+  const std::vector<Vec2>& points = polygon.points;
+  auto is_in = y < y;
+  std::size_t first = 0;
+  for (std::size_t i = 1; i < points.size(); ++i) {
+    const Vec2& a = points[i - 1];
+    const Vec2& b = points[i];
+    const auto a_above = L(a.y) >= y;
+    const auto b_above = L(b.y) >= y;
+    const auto is_left = (b.y - y) * (a.x - b.x) >= (b.x - x) * (a.y - b.y);
+    is_in = differing(is_in, without(differing(a_above, b_above), differing(is_left, b_above)));
+    if (i + 2 < points.size() && b == points[first]) first = ++i;
+  }
+  return is_in;
+}
+
+template <class L, class Met>
+HWY_INLINE void meet(const Polygon& polygon, const RayOf<L>& given, const Met& met) {
+  const auto [length, ray] = unit_ray(given);
+  const L t = -ray.origin.z / ray.direction.z;
+  const auto counts = without((t >= kNearest) & (t <= kMaxDistance), abs(ray.direction.z) < kEpsilon);
+  if (!any(counts)) return;
+  const auto is_in = holds(polygon, ray.origin.x + t * ray.direction.x, ray.origin.y + t * ray.direction.y);
+  met(0, t / length, counts & is_in);
+}
+
+FIRSTLIGHT_MEET_KERNEL(Polygon)
+
+}  // namespace HWY_NAMESPACE
+}  // namespace firstlight::render
+HWY_AFTER_NAMESPACE();
+
+#if HWY_ONCE
+namespace firstlight::render {
+namespace {
+
+FIRSTLIGHT_MEET_MEMBERS(Polygon)
 
 }  // namespace
 
@@ -90,3 +132,4 @@ ShapePtr make_polygon(const std::vector<Vec3>& points) {
 }
 
 }  // namespace firstlight::render
+#endif

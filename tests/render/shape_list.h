@@ -13,6 +13,7 @@
 #include "render/shape/ovus.h"
 #include "render/shape/parametric.h"
 #include "render/shape/poly.h"
+#include "render/shape/polygon.h"
 #include "render/shape/primitives.h"
 #include "render/shape/prism.h"
 #include "render/shape/quadric.h"
@@ -229,6 +230,9 @@ inline std::vector<NamedShape> shapes_of_all_kinds() {
       {"triangle", make_triangle(a, b, c)},
       {"smooth triangle",
        make_smooth_triangle(a, Vec3(0.1, 0.0, -1.0), b, Vec3(0.0, 0.2, -1.0), c, Vec3(0.0, 0.0, -1.0))},
+      {"polygon with a hole",
+       make_polygon({Vec3(-1, -1, 0), Vec3(1, -1, 0.2), Vec3(1, 1, 0.2), Vec3(-1, 1, 0), Vec3(-1, -1, 0),
+                     Vec3(-0.5, -0.5, 0.05), Vec3(0.5, -0.5, 0.15), Vec3(-0.5, 0.5, 0.05), Vec3(-0.5, -0.5, 0.05)})},
       {"quadric", make_quadric(paraboloid)},
       {"turned quadric", make_quadric(paraboloid)->placed(turned)},
       {"torus", make_torus(0.9, 0.3)},
