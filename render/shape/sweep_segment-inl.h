@@ -156,7 +156,7 @@ HWY_INLINE Powers<L, kOrder + 1> approach(const SweepSegment& segment, const Ray
   return b;
 }
 
-/// Of a straight segment: two places, and the depths there. `is_across` are rays that meet it at a right angle: no
+/// Two places of a straight segment, and the depths there. `is_across` are rays that meet it at a right angle: no
 /// depths.
 template <class L>
 struct StraightTouches {
@@ -180,7 +180,7 @@ HWY_INLINE StraightTouches<L> straight_touches(const SweepSegment& segment, cons
   return touches;
 }
 
-/// Of a curved one: the equation, and those that have no root between 0 and 1. Across the curve B' is 0 all along it,
+/// The equation of a curved segment, and those that have no root between 0 and 1. Across the curve B' is 0 all along it,
 /// and the equation the square of D' = 0, which only touches 0. Near that, pairs of roots lie by about B' beside those
 /// of D', where the distance is least: it is another by the square of B' only.
 template <class L>
