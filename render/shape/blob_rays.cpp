@@ -213,19 +213,13 @@ struct OwnRays {
   Column<double> length;
 };
 
-HWY_INLINE Lanes finite_inverse(const Lanes& d) {
-  constexpr double kLarge = 1e300;
-  const Lanes inverse = 1.0 / d;
-  return select(abs(inverse) <= kLarge, inverse, copysign(Lanes(kLarge), d));
-}
-
 HWY_INLINE void turn(const Transform& transform, const RayColumns& rays, std::uint64_t who, OwnRays& own) {
   for_each_vector(transform, rays, who, [&](const RayOf<Lanes>& given, std::size_t i, std::uint64_t) HWY_ATTR {
     const UnitRayOf<Lanes> unit = unit_ray(given);
     const Vec3Of<Lanes>& d = unit.ray.direction;
     store3(unit.ray.origin, own.rays.origin, i);
     store3(d, own.rays.direction, i);
-    store3(Vec3Of<Lanes>{finite_inverse(d.x), finite_inverse(d.y), finite_inverse(d.z)}, own.inverse, i);
+    store3(finite_inverse(d), own.inverse, i);
     store(unit.length, own.length, i);
   });
 }

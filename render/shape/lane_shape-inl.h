@@ -49,6 +49,17 @@ HWY_INLINE UnitRayOf<L> unit_ray(const RayOf<L>& given) {
   return {length, {given.origin, given.direction * (1.0 / length)}};
 }
 
+/// One over each component of a direction, for trees of boxes; for 0 a number that is large and finite.
+template <class L>
+HWY_INLINE Vec3Of<L> finite_inverse(const Vec3Of<L>& d) {
+  constexpr double kLarge = 1e300;
+  const auto of = [](const L& component) HWY_ATTR {
+    const L inverse = 1.0 / component;
+    return select(abs(inverse) <= kLarge, inverse, copysign(L(kLarge), component));
+  };
+  return {of(d.x), of(d.y), of(d.z)};
+}
+
 /// Takes the crossings of some rays of a block.
 struct SlotSink {
   Slot* const* slots;

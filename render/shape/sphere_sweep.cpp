@@ -257,7 +257,6 @@ HWY_INLINE void add_straight_side(const RayOf<L>& ray, std::size_t i, const Mask
 /// Finds the segments that whole lines meet, in their order: also those that lie behind the rays' origins.
 void find_segments(const SphereSweep& sweep, const RayColumns& rays, std::uint64_t who,
                    std::vector<SegmentVisit>& visits) {
-  constexpr double kLarge = 1e300;
   const Vec3Of<Lanes> middle = everywhere<Lanes>(sweep.around.center());
   const double size = sweep.around.size().length();
   RayColumns lines;
@@ -268,11 +267,7 @@ void find_segments(const SphereSweep& sweep, const RayColumns& rays, std::uint64
     const auto direction = load3<Lanes>(rays.direction, i);
     store3(origin - direction * (exact_length(middle - origin) + size), lines.origin, i);
     store3(direction, lines.direction, i);
-    const auto inverse_of = [](const Lanes& d) HWY_ATTR {
-      const Lanes over = 1.0 / d;
-      return select(abs(over) <= kLarge, over, copysign(Lanes(kLarge), d));
-    };
-    store3(Vec3Of<Lanes>{inverse_of(direction.x), inverse_of(direction.y), inverse_of(direction.z)}, inverse, i);
+    store3(finite_inverse(direction), inverse, i);
   }
   visits.clear();
   if (sweep.tree) {
