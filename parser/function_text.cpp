@@ -1,10 +1,12 @@
 #include "parser/function_text.h"
 
 #include "parser/expression/function_compiler.h"
-#include "parser/text/lexer.h"
 #include "parser/text/syntax_error.h"
+#include "parser/text/token_file.h"
 
 #include <algorithm>
+#include <cstddef>
+#include <vector>
 
 namespace firstlight::parser {
 
@@ -30,10 +32,12 @@ render::CompileResult compile_text(std::string_view text, std::span<const std::s
   source.line_starts = {0};
   try {
     Symbols symbols;
-    const TokenFile file = tokenize(source, symbols);
+    const TokenFile file(source, symbols);
+    std::vector<Token> tokens;
+    for (std::size_t i = 0; i < file.size(); ++i) tokens.push_back(file[i]);
     FunctionScope scope;
     scope.parameters = parameters;
-    return {compile_function(file.tokens, scope), {}, 0, 1};
+    return {compile_function(tokens, scope), {}, 0, 1};
   } catch (const FunctionError& error) {
     return failure(error.message, error.at.column, error.at.length);
   } catch (const SyntaxError& error) {

@@ -1,4 +1,4 @@
-// #if, #switch, #while, #for: what is skipped is jumped over by the links between the tokens of block directives.
+// #if, #switch, #while, #for: what is skipped is jumped over by the links between block directives.
 #include "parser/directive/conditions.h"
 
 #include "parser/directive/interpreter.h"
@@ -6,6 +6,7 @@
 #include "parser/expression/expression.h"
 
 #include <cmath>
+#include <span>
 
 namespace firstlight::parser {
 
@@ -28,7 +29,7 @@ void Conditions::check_same_frame(std::size_t frames, const Token& word) {
 // The index of the `#` of what follows the part at `hash` in its block. A branch may go on behind the end of its file,
 // in the file that includes it; then that file is the innermost frame.
 std::uint32_t Conditions::next_branch(std::uint32_t hash, const Token& word) {
-  std::uint32_t next = in_.frame().file->tokens[hash].symbol;
+  std::uint32_t next = in_.frame().file->link(hash);
   if (next == kNoLink) next = find_branch(hash + 2);
   while (next == kNoLink) {
     if (in_.frames().size() == 1 || in_.frame().macro) fail_unclosed(word);
@@ -40,37 +41,27 @@ std::uint32_t Conditions::next_branch(std::uint32_t hash, const Token& word) {
 
 // The first #else, #elseif, #case, #range or #end from `index` on that belongs to no block which begins there.
 std::uint32_t Conditions::find_branch(std::uint32_t index) const {
-  const std::vector<Token>& tokens = in_.frame().file->tokens;
-  for (; index < in_.frame().end; ++index) {
-    if (!tokens[index].is(Punctuation::hash)) continue;
-    if (opens_block(tokens[index + 1].keyword)) {
-      index = end_of_block(*in_.frame().file, index);
-      if (index == kNoLink) return kNoLink;
-      continue;
-    }
-    switch (tokens[index + 1].keyword) {
-      case Keyword::else_:
-      case Keyword::elseif:
-      case Keyword::case_:
-      case Keyword::range:
-      case Keyword::end:
-        return index;
-      default:
-        break;
-    }
+  const TokenFile& file = *in_.frame().file;
+  const std::span<const BlockDirective> blocks = file.blocks();
+  for (std::size_t i = file.first_block_from(index); i < blocks.size() && blocks[i].hash < in_.frame().end; ++i) {
+    if (!opens_block(blocks[i].word)) return blocks[i].hash;
+    i = file.end_of_block(i);
+    if (i == 0) return kNoLink;
   }
   return kNoLink;
 }
 
+Token Conditions::word_of_directive(std::uint32_t hash) const { return (*in_.frame().file)[hash + 1]; }
+
 void Conditions::skip_to_end(std::uint32_t hash, const Token& word) {
   do {
     hash = next_branch(hash, word);
-  } while (!in_.frame().file->tokens[hash + 1].is(Keyword::end));
+  } while (!word_of_directive(hash).is(Keyword::end));
   in_.go_behind(hash);
 }
 
 void Conditions::check_closed() {
-  if (!open_.empty()) fail_unclosed(*open_.back().word);
+  if (!open_.empty()) fail_unclosed(open_.back().word);
 }
 
 void Conditions::forget_since(std::uint32_t start) {
@@ -90,7 +81,7 @@ void Conditions::forget_innermost() {
 bool Conditions::in_block() const { return !open_.empty() && open_.back().frame == in_.frames().size(); }
 
 void Conditions::fail_unclosed(const Token& word) {
-  in_.fail(in_.frame().file->tokens.back().location,
+  in_.fail(in_.frame().file->back().location,
            "expected '#end' to close " + hash_word(word) + ", found end of file", word.location,
            hash_word(word) + " opened here");
 }
@@ -112,7 +103,7 @@ void Conditions::run_if(const Token& word, std::uint32_t hash) {
   check_same_frame(frames, word);
   for (std::uint32_t branch = hash; !holds;) {
     branch = next_branch(branch, word);
-    const Token& next = in_.frame().file->tokens[branch + 1];
+    const Token next = word_of_directive(branch);
     const std::size_t frames_of_branch = in_.frames().size();
     in_.go_behind(branch);
     if (next.is(Keyword::end)) return;
@@ -126,14 +117,14 @@ void Conditions::run_if(const Token& word, std::uint32_t hash) {
                hash_word(word) + " is here");
     }
   }
-  open_.push_back({.kind = Condition::Kind::if_, .word = &word, .frame = in_.frames().size(), .hash = hash});
+  open_.push_back({.kind = Condition::Kind::if_, .word = word, .frame = in_.frames().size(), .hash = hash});
 }
 
 // A branch begins where the one before it, which was read, ends.
 void Conditions::run_further_branch(const Token& word, std::uint32_t hash) {
   const bool of_if = word.is(Keyword::else_) || word.is(Keyword::elseif);
   if (in_choice(Condition::Kind::if_) && of_if) {
-    const Token& opener = *open_.back().word;
+    const Token opener = open_.back().word;
     open_.pop_back();
     return skip_to_end(hash, opener);
   }
@@ -161,7 +152,7 @@ void Conditions::run_switch(const Token& word, std::uint32_t hash) {
   for (bool applies = false; !applies;) {
     const bool first = branch == hash;
     branch = next_branch(branch, word);
-    const Token& next = in_.frame().file->tokens[branch + 1];
+    const Token next = word_of_directive(branch);
     if (first && (in_.frame().position != branch || next.is(Keyword::end))) {
       in_.fail(in_.raw_next().location,
                "expected '#case' or '#range' after '#switch', found " + describe(in_.raw_next()));
@@ -174,7 +165,7 @@ void Conditions::run_switch(const Token& word, std::uint32_t hash) {
     applies = case_applies(next.keyword, value);
     check_same_frame(frames_of_branch, next);
   }
-  open_.push_back({.kind = Condition::Kind::switch_, .word = &word, .frame = in_.frames().size(), .hash = branch});
+  open_.push_back({.kind = Condition::Kind::switch_, .word = word, .frame = in_.frames().size(), .hash = branch});
 }
 
 void Conditions::run_while(const Token& word, std::uint32_t hash) {
@@ -182,7 +173,7 @@ void Conditions::run_while(const Token& word, std::uint32_t hash) {
   const bool holds = condition_holds();
   check_same_frame(frames, word);
   if (holds) {
-    open_.push_back({.kind = Condition::Kind::while_, .word = &word, .frame = frames, .hash = hash});
+    open_.push_back({.kind = Condition::Kind::while_, .word = word, .frame = frames, .hash = hash});
   } else {
     in_.go_behind(end_of_block(*in_.frame().file, hash));
   }
@@ -193,7 +184,7 @@ void Conditions::run_for(const Token& word, std::uint32_t hash) {
   Reader reader(in_);
   Condition loop;
   loop.kind = Condition::Kind::for_;
-  loop.word = &word;
+  loop.word = word;
   loop.frame = frames;
   loop.hash = hash;
   in_.expect(Punctuation::left_paren, "after '#for'");
@@ -262,7 +253,7 @@ void Conditions::run_break(const Token& word) {
   while (in_block()) {
     const Condition block = open_.back();
     open_.pop_back();
-    if (block.kind == Condition::Kind::switch_) return skip_to_end(block.hash, *block.word);
+    if (block.kind == Condition::Kind::switch_) return skip_to_end(block.hash, block.word);
     if (block.kind != Condition::Kind::if_) return in_.go_behind(end_of_block(*in_.frame().file, block.hash));
   }
   if (in_.frame().macro == nullptr) in_.fail(word.location, "'#break' outside of a loop, '#switch' or macro");

@@ -42,7 +42,7 @@ class Conditions {
   struct Condition {
     enum class Kind { if_, while_, for_, switch_ };
     Kind kind = Kind::if_;
-    const Token* word = nullptr;      // of its first directive
+    Token word;                       // of its first directive
     std::size_t frame = 0;            // depth of the frame it is in
     std::uint32_t hash = 0;           // of its first directive; of #switch: of the case that applies
     std::uint32_t body = 0;           // of #for: behind its parentheses
@@ -54,6 +54,7 @@ class Conditions {
   bool case_applies(Keyword word, double value);
   std::uint32_t next_branch(std::uint32_t hash, const Token& word);
   std::uint32_t find_branch(std::uint32_t index) const;
+  Token word_of_directive(std::uint32_t hash) const;
   void skip_to_end(std::uint32_t hash, const Token& word);
   [[noreturn]] void fail_unclosed(const Token& word);
   bool in_choice(Condition::Kind kind) const;

@@ -109,7 +109,7 @@ void DataFiles::run_fopen(const Token& word) {
 }
 
 const SourceFile* DataFiles::open_for_reading(const std::string& path, const Location& at) {
-  return in_.found_file(in_.files().read_data(path, *in_.frame().file->source), path, at).file;
+  return in_.found_file(in_.files().read_data(path, in_.frame().file->source()), path, at).file;
 }
 
 void DataFiles::run_fclose(const Token& word) {

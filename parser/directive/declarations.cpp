@@ -66,17 +66,19 @@ Declarations::Target Declarations::parse_target(const Token& word) {
 // `Name = numbers;` for whose value there is a formula, as in most turns of loops and calls of macros. False when it is
 // none; then nothing is taken.
 bool Declarations::declare_by_formula(const Token& word) {
-  const Token& name = in_.raw_next();
-  if (name.kind != TokenKind::identifier || !(&name)[1].is(Punctuation::equal)) return false;
   Interpreter::Frame& frame = in_.frame();
   const std::uint32_t begin = frame.position;
+  const Token& name = frame.file->view(begin);
+  if (name.kind != TokenKind::identifier) return false;
+  const std::uint32_t symbol = name.symbol;
+  if (!frame.file->view(begin + 1).is(Punctuation::equal)) return false;
   frame.position += 2;
-  const Scopes::Binding* const binding = in_.scopes().find(name.symbol);
+  const Scopes::Binding* const binding = in_.scopes().find(symbol);
   const Formula* const formula = in_.next_formula(Formula::Kind::sum, Punctuation::none, Punctuation::semicolon);
   if (formula != nullptr &&
       (binding == nullptr || !std::holds_alternative<std::shared_ptr<const Macro>>(*binding->slot))) {
     // The name means what is declared here from now on, even in the value.
-    Value& target = *in_.scopes().target(name.symbol, word.is(Keyword::local));
+    Value& target = *in_.scopes().target(symbol, word.is(Keyword::local));
     Numbers numbers;
     if (in_.evaluate(*formula, 1, numbers, Punctuation::semicolon)) {
       round_color(numbers);
@@ -151,23 +153,22 @@ Declarations::Argument Declarations::parse_argument(bool parameter) {
       return result;
     }
   }
-  const Token* next = nullptr;
+  Token first;
   Scopes::Binding name;
   {
     const Interpreter::Release release(in_);
-    next = &in_.peek();
-    if (next->kind == TokenKind::identifier) {
+    first = in_.peek();
+    if (first.kind == TokenKind::identifier) {
       if (in_.peek_value() == nullptr) {
         if (in_.accept_word("dictionary")) {
-          result.value = in_.containers().parse_dictionary(*next);
+          result.value = in_.containers().parse_dictionary(first);
           return result;
         }
-        in_.fail(next->location, "expected a value, found " + in_.describe_next());
+        in_.fail(first.location, "expected a value, found " + in_.describe_next());
       }
       name = in_.peek_binding();
     }
   }
-  const Token& first = *next;
   const bool by_reference = parameter && name.slot && name.scope <= caller;
   const bool called = name.slot && at_call(in_) && in_.raw_next().is(Punctuation::left_paren);
   if (name.slot && !called && !std::holds_alternative<Numbers>(*name.slot)) {

@@ -25,9 +25,9 @@ bool parse_predefined(const std::string& text, Numbers& number) {
   const std::size_t start = !text.empty() && text[0] == '-' ? 1 : 0;
   source.text = text.substr(start);
   try {
-    const TokenFile file = tokenize(source, none);
-    if (file.tokens.size() != 2 || file.tokens[0].kind != TokenKind::number) return false;
-    number.values[0] = start == 1 ? -file.tokens[0].number : file.tokens[0].number;
+    const TokenFile file(source, none);
+    if (file.size() != 2 || file[0].kind != TokenKind::number) return false;
+    number.values[0] = start == 1 ? -file[0].number : file[0].number;
   } catch (const SyntaxError&) {
     return false;
   }
@@ -86,7 +86,7 @@ std::string Interpreter::parse_key() { return containers_.parse_key(); }
 void Interpreter::run_directive() {
   Frame& text = frame();
   const std::uint32_t hash = text.position;
-  const Token& word = text.file->tokens[hash + 1];
+  const Token word = (*text.file)[hash + 1];
   text.position = std::min(hash + 2, text.end);
   count(word.keyword);
   obey(word, hash);
@@ -199,7 +199,7 @@ void Interpreter::run_undef(const Token& word) {
   scopes().remove(name.symbol, reach);
 }
 
-const Token& Interpreter::take_identifier(const Token& word, Scopes::Reach reach) {
+Token Interpreter::take_identifier(const Token& word, Scopes::Reach reach) {
   unsettle();
   const Token& name = take_prefixed(reach);
   if (name.kind == TokenKind::identifier) return name;

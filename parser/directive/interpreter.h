@@ -54,7 +54,7 @@ class Interpreter final : public Evaluator {
 
   // --- what they have in common -------------------------------------------------------------------------------------
   /// The name that the directive `word` is about.
-  const Token& take_identifier(const Token& word, Scopes::Reach reach = Scopes::Reach::any);
+  Token take_identifier(const Token& word, Scopes::Reach reach = Scopes::Reach::any);
   /// Says what is wrong when the file was not found, or not by that name.
   const SourceFiles::Result& found_file(const SourceFiles::Result& result, const std::string& name, const Location& at);
   /// At each turn of a loop and call of a macro.
@@ -87,7 +87,6 @@ class Interpreter final : public Evaluator {
   Recovery recovery_{*this};
   ValueMemory memory_{*this};
   std::vector<std::unique_ptr<TokenFile>> token_files_;  // by SourceFile::index
-  std::size_t tokens_cut_ = 0;                           // in all of them
   std::uint64_t steps_ = 0;
   // For ParseProgress.
   using Clock = std::chrono::steady_clock;

@@ -22,13 +22,13 @@ void Macros::define(const Token& word, std::uint32_t hash) {
     in_.fail(opening.location, "expected '(' after the macro's name, found " + describe(opening));
   }
   while (!in_.raw_next().is(Punctuation::right_paren)) {
-    const Token* parameter = &in_.take_raw();
-    const bool optional = parameter->text == "optional" && in_.raw_next().kind == TokenKind::identifier;
-    if (optional) parameter = &in_.take_raw();
-    if (parameter->kind != TokenKind::identifier) {
-      in_.fail(parameter->location, "expected the name of a parameter or ')', found " + describe(*parameter));
+    Token parameter = in_.take_raw();
+    const bool optional = parameter.text == "optional" && in_.raw_next().kind == TokenKind::identifier;
+    if (optional) parameter = in_.take_raw();
+    if (parameter.kind != TokenKind::identifier) {
+      in_.fail(parameter.location, "expected the name of a parameter or ')', found " + describe(parameter));
     }
-    macro->parameters.push_back({parameter->symbol, optional});
+    macro->parameters.push_back({parameter.symbol, optional});
     if (in_.raw_next().is(Punctuation::comma)) in_.take_raw();
   }
   in_.take_raw();

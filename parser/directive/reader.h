@@ -24,9 +24,8 @@ class Reader {
   explicit Reader(Interpreter& interpreter);
 
   // --- tokens -------------------------------------------------------------------------------------------------------
-  // Tokens stay where they are as long as the Interpreter lives.
-  const Token& peek() { return stream_.peek(); }
-  const Token& take() { return stream_.take(); }
+  Token peek() { return stream_.peek(); }
+  Token take() { return stream_.take(); }
   bool next_is(Keyword word) { return peek().is(word); }
   bool next_is(Punctuation mark) { return peek().is(mark); }
   /// Takes the next token if it is the one named.

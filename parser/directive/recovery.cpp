@@ -56,7 +56,7 @@ std::string Recovery::standard_file_hint(std::string_view name) const {
 void Recovery::give_up() {
   Diagnostic last;
   last.severity = Diagnostic::Severity::note;
-  last.file = in_.frames().front().file->source->name;
+  last.file = in_.frames().front().file->source().name;
   last.message = "reading stops here, after " + std::to_string(mistakes_) + (mistakes_ == 1 ? " error" : " errors");
   SyntaxError error({last});
   error.fatal = true;
@@ -81,7 +81,7 @@ void Recovery::recover(const SyntaxError& error) {
   in_.conditions().forget_left();
   if (same_frame) in_.conditions().forget_since(start);
   // The end of a loop whose condition is wrong ends it.
-  const bool at_end = same_frame && in_.frame().file->tokens[start + 1].is(Keyword::end);
+  const bool at_end = same_frame && (*in_.frame().file)[start + 1].is(Keyword::end);
   if (at_end) in_.conditions().forget_innermost();
   in_.frame().position = next_statement(start, reached);
   note_broken_names(start, in_.frame().position);
@@ -90,11 +90,11 @@ void Recovery::recover(const SyntaxError& error) {
 // The first place behind `start`, not before `reached`, where a statement may begin: outside of all braces and blocks
 // of directives that are open since `start`.
 std::uint32_t Recovery::next_statement(std::uint32_t start, std::uint32_t reached) const {
-  const std::vector<Token>& tokens = in_.frame().file->tokens;
+  const TokenFile& tokens = *in_.frame().file;
   int depth = 0;
   std::vector<int> depths;  // where the open blocks of directives began
   for (std::uint32_t i = start; i < in_.frame().end; ++i) {
-    const Token& token = tokens[i];
+    const Token token = tokens[i];
     const bool outside = depth <= 0 && depths.empty();
     if (outside && i > start && i >= reached && may_begin_statement(i)) return i;
     if (token.is(Punctuation::left_brace)) ++depth;
@@ -117,10 +117,10 @@ std::uint32_t Recovery::next_statement(std::uint32_t start, std::uint32_t reache
 }
 
 bool Recovery::may_begin_statement(std::uint32_t index) const {
-  const std::vector<Token>& tokens = in_.frame().file->tokens;
-  const Token& token = tokens[index];
+  const TokenFile& tokens = *in_.frame().file;
+  const Token token = tokens[index];
   if (token.is(Punctuation::hash)) return true;
-  const Token& before = tokens[index - 1];
+  const Token before = tokens[index - 1];
   const bool behind_end = before.is(Punctuation::semicolon) || before.is(Punctuation::right_brace) ||
                           (index > 1 && before.is(Keyword::end) && tokens[index - 2].is(Punctuation::hash));
   if (!behind_end && before.location.line == token.location.line) return false;
@@ -133,7 +133,7 @@ bool Recovery::may_begin_statement(std::uint32_t index) const {
 
 // Notes the names that the text would have declared and did not.
 void Recovery::note_broken_names(std::uint32_t begin, std::uint32_t end) {
-  const std::vector<Token>& tokens = in_.frame().file->tokens;
+  const TokenFile& tokens = *in_.frame().file;
   for (std::uint32_t i = begin; i + 2 < end; ++i) {
     const Keyword word = tokens[i + 1].keyword;
     if (!tokens[i].is(Punctuation::hash)) continue;

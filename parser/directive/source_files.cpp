@@ -35,7 +35,7 @@ void Interpreter::open_scene(const std::string& path) {
     const TokenFile& file = tokens_of(*result.file);
     Frame text;
     text.file = &file;
-    text.end = static_cast<std::uint32_t>(file.tokens.size() - 1);
+    text.end = static_cast<std::uint32_t>(file.size() - 1);
     enter_frame(std::move(text));
     return;
   }
@@ -58,11 +58,7 @@ void Interpreter::open_scene(const std::string& path) {
 const TokenFile& Interpreter::tokens_of(const SourceFile& file) {
   if (file.index >= token_files_.size()) token_files_.resize(file.index + 1);
   std::unique_ptr<TokenFile>& slot = token_files_[file.index];
-  if (!slot) {
-    slot = std::make_unique<TokenFile>(tokenize(file, symbols()));
-    slot->first = tokens_cut_;
-    tokens_cut_ += slot->tokens.size();
-  }
+  if (!slot) slot = std::make_unique<TokenFile>(file, symbols());
   return *slot;
 }
 
@@ -70,7 +66,7 @@ void Interpreter::run_include(const Token& word) {
   const Token& at = peek();
   const std::string name = parse_path(*this);
   unsettle();
-  const SourceFiles::Result result = files().read_include(name, *frame().file->source);
+  const SourceFiles::Result result = files().read_include(name, frame().file->source());
   found_file(result, name, at.location);
   std::size_t depth = 0;
   for (const Frame& text : frames()) depth += text.macro == nullptr;
@@ -81,7 +77,7 @@ void Interpreter::run_include(const Token& word) {
   const TokenFile& file = tokens_of(*result.file);
   Frame text;
   text.file = &file;
-  text.end = static_cast<std::uint32_t>(file.tokens.size() - 1);
+  text.end = static_cast<std::uint32_t>(file.size() - 1);
   text.call = at.location;
   enter_frame(std::move(text));
 }
@@ -114,7 +110,7 @@ const SourceFiles::Result& Interpreter::found_file(const SourceFiles::Result& re
 
 std::string Interpreter::find_file(const std::string& name, const std::vector<std::string>& extensions,
                                    const Location& at) {
-  return found_file(files().find_file(name, extensions, *frame().file->source), name, at).path;
+  return found_file(files().find_file(name, extensions, frame().file->source()), name, at).path;
 }
 
 }  // namespace firstlight::parser

@@ -10,13 +10,13 @@ namespace firstlight::parser {
 const Formula* Evaluator::next_formula(Formula::Kind kind, Punctuation opening, Punctuation closing) {
   Text text = replayed_text();
   if (text.file == nullptr) return nullptr;
-  const std::vector<Token>& tokens = text.file->tokens;
-  if (opening != Punctuation::none && !tokens[text.begin++].is(opening)) return nullptr;
+  const TokenFile& tokens = *text.file;
+  if (opening != Punctuation::none && !tokens.view(text.begin++).is(opening)) return nullptr;
   if (text.begin >= text.end) return nullptr;
   const Formula* const formula = formulas_.find(*text.file, text.begin, kind);
   if (formula == nullptr || formula->end() >= text.end) return nullptr;
   const bool ends_here =
-      closing != Punctuation::none ? tokens[formula->end()].is(closing) : !formula->ends_at_hold() || is_held();
+      closing != Punctuation::none ? tokens.view(formula->end()).is(closing) : !formula->ends_at_hold() || is_held();
   return ends_here && may_nest(formula->depth()) ? formula : nullptr;
 }
 
@@ -65,14 +65,14 @@ const render::ObjectProbe& Evaluator::probe(const std::shared_ptr<const render::
 }
 
 bool Evaluator::file_exists(const std::string& name) const {
-  return files().find_file(name, {}, *frame().file->source).status == SourceFiles::Status::found;
+  return files().find_file(name, {}, frame().file->source()).status == SourceFiles::Status::found;
 }
 
 bool Evaluator::parse_defined() {
   expect(Punctuation::left_paren, "before the name");
   unsettle();
   const Scopes::Reach reach = take_reach();
-  const Token& name = take_prefixed(reach);
+  const Token name = take_prefixed(reach);
   if (name.kind != TokenKind::identifier && name.kind != TokenKind::keyword) {
     fail(name.location, "expected an identifier, found " + describe(name));
   }

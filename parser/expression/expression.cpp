@@ -188,7 +188,7 @@ Numbers parse_logical(Evaluator& in, std::uint8_t terms) {
 
 Numbers parse_full_by_tokens(Evaluator& in, std::uint8_t terms) {
   const Evaluator::Nesting nesting(in);
-  const Token& first = in.peek();
+  const Location first = in.peek().location;
   Numbers result = parse_logical(in, 1);
   if (!in.peek().is(Punctuation::question)) {
     promote(result, terms);
@@ -204,21 +204,21 @@ Numbers parse_full_by_tokens(Evaluator& in, std::uint8_t terms) {
 }
 
 // An expression, by the formula for it if there is one. `at` becomes its first token.
-Numbers parse_numbers(Evaluator& in, Formula::Kind kind, std::uint8_t terms, const Token*& at) {
+Numbers parse_numbers(Evaluator& in, Formula::Kind kind, std::uint8_t terms, Location& at) {
   Numbers result;
   const Formula* const formula = in.next_formula(kind);
   if (formula != nullptr && in.evaluate(*formula, terms, result)) {
-    at = &formula->first();
+    at = formula->first().location;
     return result;
   }
-  at = &in.peek();
+  at = in.peek().location;
   return kind == Formula::Kind::sum ? parse_sum_by_tokens(in, terms) : parse_full_by_tokens(in, terms);
 }
 
 }  // namespace
 
-void fail_components(Evaluator& in, const Token& at, std::string_view expected, const Numbers& found) {
-  in.fail(at.location,
+void fail_components(Evaluator& in, const Location& at, std::string_view expected, const Numbers& found) {
+  in.fail(at,
           "expected a " + std::string(expected) + ", found a " + std::string(kind_name(found)) + " expression");
 }
 
@@ -238,26 +238,26 @@ double pick_component(Evaluator& in, const Token& word, const Numbers& numbers) 
 }
 
 Numbers parse_sum(Evaluator& in, std::uint8_t terms) {
-  const Token* at = nullptr;
+  Location at;
   return parse_numbers(in, Formula::Kind::sum, terms, at);
 }
 
 Numbers parse_full_expression(Evaluator& in, std::uint8_t terms) {
-  const Token* at = nullptr;
+  Location at;
   return parse_numbers(in, Formula::Kind::full, terms, at);
 }
 
 double parse_float(Evaluator& in) {
-  const Token* at = nullptr;
+  Location at;
   const Numbers numbers = parse_numbers(in, Formula::Kind::sum, 1, at);
-  if (numbers.size != 1) fail_components(in, *at, "float", numbers);
+  if (numbers.size != 1) fail_components(in, at, "float", numbers);
   return numbers.values[0];
 }
 
 render::Vec3 parse_vector(Evaluator& in) {
-  const Token* at = nullptr;
+  Location at;
   const Numbers numbers = parse_numbers(in, Formula::Kind::sum, 3, at);
-  if (numbers.size > 3) fail_components(in, *at, "vector", numbers);
+  if (numbers.size > 3) fail_components(in, at, "vector", numbers);
   return {numbers.values[0], numbers.values[1], numbers.values[2]};
 }
 
@@ -267,11 +267,11 @@ double parse_condition(Evaluator& in) {
   const Formula* const formula =
       in.next_formula(Formula::Kind::full, Punctuation::left_paren, Punctuation::right_paren);
   if (formula != nullptr && in.evaluate(*formula, 1, numbers, Punctuation::right_paren)) {
-    if (numbers.size != 1) fail_components(in, formula->first(), "float", numbers);
+    if (numbers.size != 1) fail_components(in, formula->first().location, "float", numbers);
     return numbers.values[0];
   }
   in.expect(Punctuation::left_paren, "before the condition");
-  const Token& at = in.peek();
+  const Location at = in.peek().location;
   numbers = parse_full_by_tokens(in, 1);
   if (numbers.size != 1) fail_components(in, at, "float", numbers);
   in.expect(Punctuation::right_paren, "behind the condition");

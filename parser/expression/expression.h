@@ -45,7 +45,7 @@ double divide(Evaluator& in, const Token& mark, double a, double b);
 /// The component `.word`; fails where `numbers` has none of that name.
 double pick_component(Evaluator& in, const Token& word, const Numbers& numbers);
 /// "expected a float, found a vector expression", at the expression's first token.
-[[noreturn]] void fail_components(Evaluator& in, const Token& at, std::string_view expected, const Numbers& found);
+[[noreturn]] void fail_components(Evaluator& in, const Location& at, std::string_view expected, const Numbers& found);
 
 /// For messages.
 std::string number_text(double value);

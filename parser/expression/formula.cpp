@@ -23,13 +23,18 @@ const FormulaProgram* Formula::other_program(Shape shape, std::uint8_t terms) co
   return latest_ = found->get();
 }
 
+void FormulaTable::make_room(const TokenFile& file) {
+  if (file.source().index >= entries_.size()) entries_.resize(file.source().index + 1);
+  entries_[file.source().index].resize(file.size());
+}
+
 const Formula* FormulaTable::meet(const TokenFile& file, std::uint32_t begin, Formula::Kind kind,
                                   std::uint32_t& entry) {
   if (entry == kNew) {
     entry = kMet;
     return nullptr;
   }
-  std::unique_ptr<const Formula> formula = Formula::compile(file.tokens, begin, kind);
+  std::unique_ptr<const Formula> formula = Formula::compile(file, begin, kind);
   if (formula == nullptr) {
     entry = kNone;
     return nullptr;

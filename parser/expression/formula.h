@@ -1,12 +1,13 @@
 #pragma once
 
-#include "parser/text/lexer.h"
 #include "parser/text/token.h"
+#include "parser/text/token_file.h"
 #include "parser/text/value.h"
 
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <deque>
 #include <memory>
 #include <span>
 #include <vector>
@@ -68,13 +69,13 @@ class Formula {
   ~Formula();
 
   /// That of the expression which begins at `begin`; null when it has none.
-  static std::unique_ptr<const Formula> compile(const std::vector<Token>& tokens, std::uint32_t begin, Kind kind);
+  static std::unique_ptr<const Formula> compile(const TokenFile& file, std::uint32_t begin, Kind kind);
 
   /// Symbols of the names in it.
   std::span<const std::uint32_t> names() const { return names_; }
   /// Its reserved words, each as often as it stands there.
   std::span<const Keyword> keywords() const { return keywords_; }
-  const Token& first() const { return *first_; }
+  const Token& first() const { return tokens_.front(); }
   /// Index of the token behind it.
   std::uint32_t end() const { return end_; }
   /// Levels of nesting it takes, at most.
@@ -106,10 +107,10 @@ class Formula {
 
   const FormulaProgram* other_program(Shape shape, std::uint8_t terms) const;
 
+  std::deque<Token> tokens_;  // its own, for the file may give up the page; a deque, for steps point into it
   std::vector<Step> steps_;
   std::vector<std::uint32_t> names_;
   std::vector<Keyword> keywords_;
-  const Token* first_ = nullptr;
   std::uint32_t end_ = 0;
   std::size_t depth_ = 0;
   bool ends_at_hold_ = false;
@@ -125,18 +126,19 @@ class FormulaTable {
  public:
   /// That of the expression which begins at the token `begin`; null when it is met for the first time or has none.
   const Formula* find(const TokenFile& file, std::uint32_t begin, Formula::Kind kind) {
-    const std::size_t at = file.first + begin;
-    if (at >= entries_.size()) entries_.resize(file.first + file.tokens.size());
-    std::uint32_t& entry = entries_[at][static_cast<std::size_t>(kind)];
+    const std::size_t index = file.source().index;
+    if (index >= entries_.size() || entries_[index].empty()) make_room(file);
+    std::uint32_t& entry = entries_[index][begin][static_cast<std::size_t>(kind)];
     return entry >= kFirst ? formulas_[entry - kFirst].get() : entry == kNone ? nullptr : meet(file, begin, kind, entry);
   }
 
  private:
   static constexpr std::uint32_t kNew = 0, kMet = 1, kNone = 2, kFirst = 3;
 
+  void make_room(const TokenFile& file);
   const Formula* meet(const TokenFile& file, std::uint32_t begin, Formula::Kind kind, std::uint32_t& entry);
 
-  std::vector<std::array<std::uint32_t, 2>> entries_;  // by first token, of all files, and kind
+  std::vector<std::vector<std::array<std::uint32_t, 2>>> entries_;  // by SourceFile::index, first token, and kind
   std::vector<std::unique_ptr<const Formula>> formulas_;
 };
 

@@ -14,19 +14,17 @@ class FormulaCompiler {
  public:
   using Operation = Formula::Operation;
 
-  FormulaCompiler(const std::vector<Token>& tokens, std::uint32_t begin, Formula& formula)
-      : tokens_(tokens), at_(begin), formula_(formula) {}
+  FormulaCompiler(const TokenFile& file, std::uint32_t begin, Formula& formula)
+      : file_(file), begin_(begin), at_(begin), formula_(formula) {}
 
   bool compile(Formula::Kind kind) {
-    const std::uint32_t begin = at_;
     if (!(kind == Formula::Kind::full ? full(Formula::kOfCaller) : sum(Formula::kOfCaller))) return false;
-    const Token& behind = tokens_[at_];
+    const Token& behind = next();
     if (behind.is_end() || behind.is(Punctuation::period)) return false;
     formula_.ends_at_hold_ = behind.is(Punctuation::hash) || behind.kind == TokenKind::identifier;
-    formula_.first_ = &tokens_[begin];
     formula_.end_ = at_;
-    for (std::uint32_t i = begin; i < at_; ++i) {
-      if (tokens_[i].keyword != Keyword::none) formula_.keywords_.push_back(tokens_[i].keyword);
+    for (std::uint32_t i = begin_; i < at_; ++i) {
+      if (token(i).keyword != Keyword::none) formula_.keywords_.push_back(token(i).keyword);
     }
     return true;
   }
@@ -48,7 +46,14 @@ class FormulaCompiler {
     FormulaCompiler& compiler_;
   };
 
-  const Token& next() const { return tokens_[at_]; }
+  // They are copied into the formula as it comes to them.
+  const Token& token(std::uint32_t index) {
+    std::deque<Token>& tokens = formula_.tokens_;
+    while (begin_ + tokens.size() <= index) tokens.push_back(file_[begin_ + tokens.size()]);
+    return tokens[index - begin_];
+  }
+  const Token& next() { return token(at_); }
+  const Token& take() { return token(at_++); }
   bool accept(Punctuation mark) {
     if (!next().is(mark)) return false;
     ++at_;
@@ -82,7 +87,7 @@ class FormulaCompiler {
   bool logical(std::uint8_t terms) {
     if (!comparison(terms)) return false;
     while (next().is(Punctuation::ampersand) || next().is(Punctuation::bar)) {
-      const Token& mark = tokens_[at_++];
+      const Token& mark = take();
       if (!comparison(Formula::kOfLeft)) return false;
       operate(Operation::truth, mark);
     }
@@ -92,7 +97,7 @@ class FormulaCompiler {
   bool comparison(std::uint8_t terms) {
     if (!sum(terms)) return false;
     while (is_comparison(next())) {
-      const Token& mark = tokens_[at_++];
+      const Token& mark = take();
       if (!sum(Formula::kOfLeft)) return false;
       operate(Operation::truth, mark);
     }
@@ -102,7 +107,7 @@ class FormulaCompiler {
   bool sum(std::uint8_t terms) {
     if (!product(terms)) return false;
     while (next().is(Punctuation::plus) || next().is(Punctuation::dash)) {
-      const Token& mark = tokens_[at_++];
+      const Token& mark = take();
       if (!product(Formula::kOfLeft)) return false;
       operate(mark.is(Punctuation::plus) ? Operation::add : Operation::subtract, mark);
     }
@@ -112,7 +117,7 @@ class FormulaCompiler {
   bool product(std::uint8_t terms) {
     if (!operand(terms)) return false;
     while (next().is(Punctuation::star) || next().is(Punctuation::slash)) {
-      const Token& mark = tokens_[at_++];
+      const Token& mark = take();
       if (!operand(Formula::kOfLeft)) return false;
       operate(mark.is(Punctuation::star) ? Operation::multiply : Operation::divide, mark);
     }
@@ -127,7 +132,7 @@ class FormulaCompiler {
   }
 
   bool operand_alone(std::uint8_t terms) {
-    const Token& token = tokens_[at_++];
+    const Token& token = take();
     switch (token.kind) {
       case TokenKind::number:
         emit(Operation::number, token, terms).number = token.number;
@@ -185,7 +190,7 @@ class FormulaCompiler {
   }
 
   bool component() {
-    const Token& word = tokens_[at_++];
+    const Token& word = take();
     if (picked_component(word.keyword) == kNoComponent) return false;
     emit(Operation::component, word);
     return true;
@@ -259,16 +264,17 @@ class FormulaCompiler {
     return grow(arguments) && accept(Punctuation::right_paren);
   }
 
-  const std::vector<Token>& tokens_;
+  const TokenFile& file_;
+  const std::uint32_t begin_;
   std::uint32_t at_;
   Formula& formula_;
   std::size_t depth_ = 0;
   std::size_t height_ = 0;  // of the stack, behind the steps so far
 };
 
-std::unique_ptr<const Formula> Formula::compile(const std::vector<Token>& tokens, std::uint32_t begin, Kind kind) {
+std::unique_ptr<const Formula> Formula::compile(const TokenFile& file, std::uint32_t begin, Kind kind) {
   auto formula = std::make_unique<Formula>();
-  FormulaCompiler compiler(tokens, begin, *formula);
+  FormulaCompiler compiler(file, begin, *formula);
   if (!compiler.compile(kind)) return nullptr;
   return formula;
 }

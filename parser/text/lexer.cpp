@@ -22,8 +22,13 @@ class Lexer::Pass {
     refuse_binary();
     while (at_ < text_.size() && static_cast<unsigned char>(text_[at_]) > 127) ++at_;  // byte-order mark
   }
+  Pass(const SourceFile& source, Symbols& symbols, Place begin)
+      : source_(source), text_(source.text), symbols_(symbols), at_(begin.offset), line_(begin.line) {}
 
-  Token next_token() {
+  Place place_of_token() const { return {static_cast<std::uint32_t>(start_), token_.location.line}; }
+
+  const Token& next_token(bool in_outline) {
+    in_outline_ = in_outline;
     if (skip_blanks()) {
       read_token();
     } else {
@@ -136,6 +141,7 @@ class Lexer::Pass {
       if (at_ > exponent) digits_end = at_;
     }
     if (current() == '.') fail(place(start_, at_ - start_ + 1), "expected a number, found one with a second '.'");
+    if (in_outline_) return finish_token(TokenKind::number);
     const char* first = text_.data() + start_;
     const auto result = std::from_chars(first, text_.data() + digits_end, token_.number);
     if (result.ec == std::errc::result_out_of_range) {
@@ -200,61 +206,17 @@ class Lexer::Pass {
   std::size_t at_ = 0;
   std::size_t start_ = 0;
   std::uint32_t line_ = 1;
+  bool in_outline_ = false;
   Token token_;
 };
 
 Lexer::Lexer(const SourceFile& source, Symbols& symbols) : pass_(std::make_unique<Pass>(source, symbols)) {}
+Lexer::Lexer(const SourceFile& source, Symbols& symbols, Place begin)
+    : pass_(std::make_unique<Pass>(source, symbols, begin)) {}
 Lexer::~Lexer() = default;
-Token Lexer::next() { return pass_->next_token(); }
-
-namespace {
-
-bool must_close_in_its_file(Keyword word) {
-  return word == Keyword::while_ || word == Keyword::for_ || word == Keyword::macro;
-}
-
-// Sets the links between the parts of block directives.
-void link_blocks(TokenFile& file) {
-  struct Open {
-    std::uint32_t opener;
-    std::uint32_t last;  // the part whose follower is not known yet
-  };
-  std::vector<Open> open;
-  std::vector<Token>& tokens = file.tokens;
-  for (std::uint32_t i = 0; i + 1 < tokens.size(); ++i) {
-    if (!tokens[i].is(Punctuation::hash)) continue;
-    if (opens_block(tokens[i + 1].keyword)) open.push_back({i, i});
-    switch (tokens[i + 1].keyword) {
-      case Keyword::else_:
-      case Keyword::elseif:
-      case Keyword::case_:
-      case Keyword::range:
-        if (!open.empty()) {
-          tokens[open.back().last].symbol = i;
-          open.back().last = i;
-        }
-        break;
-      case Keyword::end:
-        if (!open.empty()) {
-          tokens[open.back().last].symbol = i;
-          open.pop_back();
-        }
-        break;
-      default:
-        break;
-    }
-  }
-  // A branch may end in the file that includes this one; a loop or a macro may not.
-  std::erase_if(open, [&](const Open& block) { return !must_close_in_its_file(tokens[block.opener + 1].keyword); });
-  if (open.empty()) return;
-  const Token& word = tokens[open.back().opener + 1];
-  const auto message = "expected '#end' to close '#" + std::string(word.text) + "', found end of file";
-  throw SyntaxError({diagnostic_at(*file.source, tokens.back().location, render::Diagnostic::Severity::error, message),
-                     diagnostic_at(*file.source, word.location, render::Diagnostic::Severity::note,
-                                   "'#" + std::string(word.text) + "' opened here")});
-}
-
-}  // namespace
+Token Lexer::next() { return pass_->next_token(false); }
+Token Lexer::next_in_outline() { return pass_->next_token(true); }
+Lexer::Place Lexer::place() const { return pass_->place_of_token(); }
 
 std::uint32_t Symbols::intern(std::string_view name) {
   const auto found = table_.find(name);
@@ -263,25 +225,6 @@ std::uint32_t Symbols::intern(std::string_view name) {
   names_.emplace_back(name);
   table_.emplace(names_.back(), symbol);
   return symbol;
-}
-
-TokenFile tokenize(const SourceFile& source, Symbols& symbols) {
-  TokenFile file;
-  file.source = &source;
-  file.tokens.reserve(source.text.size() / 4 + 1);
-  Lexer lexer(source, symbols);
-  do {
-    file.tokens.push_back(lexer.next());
-  } while (!file.tokens.back().is_end());
-  link_blocks(file);
-  return file;
-}
-
-std::uint32_t end_of_block(const TokenFile& file, std::uint32_t hash) {
-  do {
-    hash = file.tokens[hash].symbol;
-  } while (hash != kNoLink && !file.tokens[hash + 1].is(Keyword::end));
-  return hash;
 }
 
 }  // namespace firstlight::parser

@@ -79,7 +79,10 @@ fs::path find_ignoring_case(const fs::path& folder, const fs::path& relative) {
 }
 
 std::vector<std::uint32_t> find_line_starts(std::string_view text) {
-  std::vector<std::uint32_t> starts{0};
+  std::vector<std::uint32_t> starts;
+  // Exactly so many, but for the lines that end in a lone return: of a large mesh there are millions.
+  starts.reserve(1 + static_cast<std::size_t>(std::count(text.begin(), text.end(), '\n')));
+  starts.push_back(0);
   for (std::size_t i = 0; i < text.size(); ++i) {
     const bool lone_return = text[i] == '\r' && (i + 1 == text.size() || text[i + 1] != '\n');
     if (text[i] == '\n' || lone_return) starts.push_back(static_cast<std::uint32_t>(i + 1));

@@ -38,7 +38,7 @@ render::Diagnostic diagnostic_at(const SourceFile& file, const Location& locatio
 ///          that is forbidden is not told from one that is not there.
 class SourceFiles {
  public:
-  static constexpr std::uintmax_t kLargestFile = 64u << 20;
+  static constexpr std::uintmax_t kLargestFile = std::uintmax_t{2} << 30;  // tokens and bytes have numbers of 32 bits
 
   enum class Status { found, missing, forbidden, too_large, unreadable };
   struct Result {

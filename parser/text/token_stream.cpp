@@ -19,12 +19,6 @@ bool stands_for_itself(const Token& token) {
          token.keyword != Keyword::local && token.keyword != Keyword::global;
 }
 
-/// `local` or `global` before `.Name` or `["Name"]`. There is a token behind it, for the last one is the file's end.
-bool is_prefix(const Token& token) {
-  if (token.keyword != Keyword::local && token.keyword != Keyword::global) return false;
-  return (&token)[1].is(Punctuation::period) || (&token)[1].is(Punctuation::left_bracket);
-}
-
 }  // namespace
 
 void TokenStream::fail_nesting() {
@@ -39,7 +33,7 @@ void TokenStream::settle() {
   unsettle();
   Frame& frame = frames_.back();
   if (frame.position < frame.end) {
-    const Token& token = frame.file->tokens[frame.position];
+    const Token& token = frame.file->view(frame.position);
     if (stands_for_itself(token)) return show(token, frame.position++);
   }
   settle_step_by_step();
@@ -54,10 +48,9 @@ void TokenStream::settle_step_by_step() {
         leave_frame();
         continue;
       }
-      return show(frame.file->tokens[frame.end], frame.end);
+      return show(frame.file->view(frame.end), frame.end);
     }
-    const Token& token = frame.file->tokens[frame.position];
-    if (token.is(Punctuation::hash) && !is_held()) {
+    if (frame.file->view(frame.position).is(Punctuation::hash) && !is_held()) {
       note_statement(frame.position);
       const Nesting nesting(*this);
       run_directive();
@@ -66,24 +59,27 @@ void TokenStream::settle_step_by_step() {
       unsettle();
       continue;
     }
-    if (token.kind == TokenKind::identifier) {
-      if (settle_name(token)) return;
+    if (frame.file->view(frame.position).kind == TokenKind::identifier) {
+      if (settle_name()) return;
       continue;
     }
-    if (is_prefix(token)) {
+    if (is_prefix()) {
       if (settle_prefixed_name()) return;
       continue;
     }
-    show(token, frame.position++);
-    pending_ = token.is(Punctuation::hash);
+    show(frame.file->view(frame.position), frame.position);
+    ++frame.position;
+    pending_ = next_->is(Punctuation::hash);
     return;
   }
 }
 
 // False when the name was a macro's, which has been called.
-bool TokenStream::settle_name(const Token& name) {
-  const std::uint32_t index = frames_.back().position++;
+bool TokenStream::settle_name() {
+  Frame& frame = frames_.back();
+  const std::uint32_t index = frame.position++;
   note_statement(index);
+  const Token& name = frame.file->view(index);
   const Scopes::Binding* const binding = scopes_.find(name.symbol);
   if (binding != nullptr && std::holds_alternative<Numbers>(*binding->slot) && deprecated_.empty()) {  // most of them
     show(name, index);
@@ -91,7 +87,7 @@ bool TokenStream::settle_name(const Token& name) {
     next_scope_ = binding->scope;
     return true;
   }
-  return settle_as(name, index, binding, false);
+  return settle_as(Token(name), index, binding, false);
 }
 
 bool TokenStream::settle_prefixed_name() {
@@ -99,7 +95,7 @@ bool TokenStream::settle_prefixed_name() {
   note_statement(index);
   const std::string prefix(raw_next().text);
   const Scopes::Reach reach = take_reach();
-  const Token& name = take_prefixed(reach);
+  const Token name = take_prefixed(reach);
   if (name.kind != TokenKind::identifier) {
     fail(name.location, "expected an identifier behind '" + prefix + ".', found " + describe(name));
   }
@@ -126,7 +122,7 @@ bool TokenStream::settle_as(const Token& name, std::uint32_t index, const Scopes
       next_element_ = binding->slot;
     }
   }
-  next_ = &name;
+  next_ = &(shown_ = name);
   next_index_ = index;
   next_value_ = value;
   pending_ = is_macro;
@@ -160,7 +156,7 @@ Scopes::Binding TokenStream::take_binding() {
   const Scopes::Binding result = peek_binding();
   settled_ = false;
   pending_ = false;
-  last_ = next_;
+  last_ = next_->location;
   ++taken_;
   return result;
 }
@@ -175,39 +171,47 @@ bool TokenStream::accept_word(std::string_view word) {
   return true;
 }
 
-const Token& TokenStream::take_raw() {
+Token TokenStream::take_raw() {
   Frame& frame = frames_.back();
-  const Token& token = frame.file->tokens[frame.position];
+  const Token token = frame.file->view(frame.position);
   if (frame.position < frame.end) ++frame.position;
   return token;
 }
 
-Scopes::Reach TokenStream::take_reach() {
-  const Token& word = raw_next();
-  if (!is_prefix(word)) return Scopes::Reach::any;
-  count(word.keyword);
-  frames_.back().position += (&word)[1].is(Punctuation::period) ? 2 : 1;
-  return word.is(Keyword::local) ? Scopes::Reach::local : Scopes::Reach::global;
+// `local` or `global` before `.Name` or `["Name"]`. There is a token behind it, for the last one is the file's end.
+bool TokenStream::is_prefix() const {
+  const Keyword word = raw_next().keyword;
+  if (word != Keyword::local && word != Keyword::global) return false;
+  const Token behind = frames_.back().file->view(frames_.back().position + 1);
+  return behind.is(Punctuation::period) || behind.is(Punctuation::left_bracket);
 }
 
-const Token& TokenStream::take_prefixed(Scopes::Reach reach) {
+Scopes::Reach TokenStream::take_reach() {
+  if (!is_prefix()) return Scopes::Reach::any;
+  const Keyword word = take_raw().keyword;
+  count(word);
+  if (raw_next().is(Punctuation::period)) ++frames_.back().position;
+  return word == Keyword::local ? Scopes::Reach::local : Scopes::Reach::global;
+}
+
+Token TokenStream::take_prefixed(Scopes::Reach reach) {
   if (reach == Scopes::Reach::any || !raw_next().is(Punctuation::left_bracket)) return take_raw();
   constexpr std::size_t kMostNames = 1'000'000;
-  const Token& bracket = raw_next();
+  const Token bracket = raw_next();
+  const std::uint32_t index = frames_.back().position;
   const Nesting nesting(*this);
   const std::uint32_t symbol = symbols_.intern(parse_key());
   unsettle();
-  const auto [at, is_new] = named_by_strings_.try_emplace({&bracket, symbol});
-  if (is_new) {
-    if (named_by_strings_.size() > kMostNames) {
-      fail_finally(bracket.location, "too many names are given as strings (limit " + std::to_string(kMostNames) + ")");
-    }
-    at->second.kind = TokenKind::identifier;
-    at->second.symbol = symbol;
-    at->second.text = symbols_.name(symbol);
-    at->second.location = bracket.location;
+  named_by_strings_.insert({bracket.location.file, index, symbol});
+  if (named_by_strings_.size() > kMostNames) {
+    fail_finally(bracket.location, "too many names are given as strings (limit " + std::to_string(kMostNames) + ")");
   }
-  return at->second;
+  Token name;
+  name.kind = TokenKind::identifier;
+  name.symbol = symbol;
+  name.text = symbols_.name(symbol);
+  name.location = bracket.location;
+  return name;
 }
 
 void TokenStream::fail_expected(Punctuation mark, std::string_view purpose, std::string_view name) {
@@ -275,7 +279,7 @@ void TokenStream::begin_statement() {
 }
 
 Location TokenStream::behind_last_token() const {
-  Location place = last_->location;
+  Location place = last_;
   place.column += place.length;
   place.length = 1;
   return place;
@@ -333,7 +337,7 @@ void TokenStream::add_call_chain(render::Diagnostics& messages) const {
     const Frame& frame = frames_[i];
     messages.push_back(diagnostic(frame.call, Diagnostic::Severity::note,
                                   frame.macro ? "in macro '" + std::string(frame.macro->name) + "', called from here"
-                                              : "in '" + frame.file->source->name + "', included from here"));
+                                              : "in '" + frame.file->source().name + "', included from here"));
   }
 }
 

@@ -1,18 +1,20 @@
 #pragma once
 
-#include "parser/text/lexer.h"
 #include "parser/text/scope.h"
 #include "parser/text/source.h"
 #include "parser/text/syntax_error.h"
+#include "parser/text/token_file.h"
 #include "render/scene/front_end.h"
 
 #include <array>
 #include <cstdint>
 #include <map>
 #include <memory>
+#include <set>
 #include <span>
 #include <string>
 #include <string_view>
+#include <tuple>
 #include <utility>
 #include <vector>
 
@@ -36,18 +38,19 @@ class TokenStream {
   TokenStream& operator=(const TokenStream&) = delete;
 
   // --- tokens -------------------------------------------------------------------------------------------------------
-  const Token& peek() {
+  // They are given by value, because a file may give up the page that they lie on.
+  Token peek() {
     if (!settled_ || pending_) settle();
     return *next_;
   }
-  const Token& take() {
-    const Token& token = peek();
+  Token take() {
+    if (!settled_ || pending_) settle();
     settled_ = false;
     pending_ = false;
-    last_ = &token;
+    last_ = next_->location;
+    count(next_->keyword);
     if (++taken_ % kTokensBetweenLooks == 0) look_around();
-    count(token.keyword);
-    return token;
+    return *next_;
   }
   /// The declared value of the name that peek() gives, or of the array's element it picks; null for any other token.
   const Value* peek_value() { return peek().kind == TokenKind::identifier ? next_value_ : nullptr; }
@@ -165,12 +168,12 @@ class TokenStream {
   /// Goes on behind the directive whose `#` is at `hash`, and its word.
   void go_behind(std::uint32_t hash) { frames_.back().position = hash + 2; }
   /// The next token as it stands in the text, directives and macros too; takes it.
-  const Token& raw_next() const { return frames_.back().file->tokens[frames_.back().position]; }
-  const Token& take_raw();
+  Token raw_next() const { return frames_.back().file->view(frames_.back().position); }
+  Token take_raw();
   /// Takes the `local.` or `global.` that stands before a name, if any; of `local["Name"]` the word.
   Scopes::Reach take_reach();
   /// Takes the token behind that, mostly a name. One that a string gives is made a token.
-  const Token& take_prefixed(Scopes::Reach reach);
+  Token take_prefixed(Scopes::Reach reach);
   /// Gives up the token that peek() has shown, if any, so that reading goes on before it.
   void unsettle() {
     if (settled_) frames_.back().position = next_index_;
@@ -185,10 +188,11 @@ class TokenStream {
     std::uint32_t begin = 0, end = 0;
   };
   /// The text ahead, when it may be taken by take_to() and is worth knowing: text that is read once is not, and a name
-  /// that is deprecated must be told of. Else without a file.
+  /// that is deprecated must be told of; files of very many tokens are mostly data. Else without a file.
   Text replayed_text() const {
     if (!replays_ || pending_ || !deprecated_.empty()) return {};
     const Frame& frame = frames_.back();
+    if (frame.file->size() > kMostReplayed) return {};
     return {frame.file, settled_ ? next_index_ : frame.position, frame.end};
   }
   /// Takes all before the token `end` at once, with `words` among it. Pre: there are no directives and macros in it.
@@ -198,7 +202,7 @@ class TokenStream {
     taken_ += end - (settled_ ? next_index_ : frame.position);
     frame.position = end;
     settled_ = false;
-    last_ = &frame.file->tokens[end - 1];
+    last_ = frame.file->view(end - 1).location;
     for (const Keyword word : words) count(word);
     if (taken_ / kTokensBetweenLooks != before / kTokensBetweenLooks) look_around();
   }
@@ -253,6 +257,7 @@ class TokenStream {
 
  private:
   static constexpr std::uint64_t kTokensBetweenLooks = 1u << 12;
+  static constexpr std::size_t kMostReplayed = 1u << 20;  // tokens of a file whose text is worth knowing
 
   [[noreturn]] void fail_nesting();
   [[noreturn]] void fail_block(const Token& owner);
@@ -265,12 +270,13 @@ class TokenStream {
   void settle();
   void settle_step_by_step();
   void show(const Token& token, std::uint32_t index) {
-    next_ = &token;
+    next_ = frames_.back().file->keeps_all() ? &token : &(shown_ = token);
     next_index_ = index;
     next_value_ = nullptr;
     settled_ = true;
   }
-  bool settle_name(const Token& name);
+  bool is_prefix() const;
+  bool settle_name();
   bool settle_prefixed_name();
   bool settle_as(const Token& name, std::uint32_t index, const Scopes::Binding* binding, bool prefixed);
 
@@ -282,11 +288,13 @@ class TokenStream {
   std::vector<Frame> frames_;
   std::vector<Token> blocks_;  // owners of the open braces
   StatementStart statement_;
-  std::map<std::pair<const Token*, std::uint32_t>, Token> named_by_strings_;  // by the `[` and the symbol
-  std::map<std::uint32_t, Deprecation> deprecated_;                           // by symbol
+  // Names given as strings: file, the `[`, symbol.
+  std::set<std::tuple<std::uint32_t, std::uint32_t, std::uint32_t>> named_by_strings_;
+  std::map<std::uint32_t, Deprecation> deprecated_;  // by symbol
   bool replays_ = false;  // there has been a turn of a loop or a call of a macro
   // The token that peek() gives. `pending_`: it is a `#` or a macro's name, shown because of a Hold.
   const Token* next_ = nullptr;
+  Token shown_;  // it, unless it lies where it stays
   std::uint32_t next_index_ = 0;
   const Value* next_value_ = nullptr;
   Scopes::Slot next_element_;     // when it is a part of an array or a dictionary, or has a prefix
@@ -296,7 +304,7 @@ class TokenStream {
   HoldState hold_;
   std::size_t nesting_ = 0;
   std::uint64_t taken_ = 0;
-  const Token* last_ = nullptr;  // the token that was taken last
+  Location last_;  // of the token that was taken last
   std::uint32_t described_undeclared_ = kNoSymbol;
   std::array<std::uint64_t, kKeywordCount> keyword_counts_{};
 };

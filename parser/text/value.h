@@ -30,7 +30,7 @@ struct Array;
 class DataFile;
 struct Dictionary;
 struct Macro;
-struct TokenFile;
+class TokenFile;
 
 /// A vector of 2 to 5 numbers, or a single number (size 1). `is_color` records that it was made by a colour keyword,
 /// which decides what POV-Ray makes of it when it is declared.

@@ -1,6 +1,6 @@
 // Text that is replayed is evaluated by formulas; that must not show.
 #include "parser/expression/formula.h"
-#include "parser/text/lexer.h"
+#include "parser/text/token_file.h"
 #include "tests/parser/agreement_table.h"
 #include "tests/parser/evaluated.h"
 
@@ -17,9 +17,9 @@ bool has_formula(const std::string& text, Formula::Kind kind = Formula::Kind::su
   SourceFile source;
   source.text = text + "; ";
   source.line_starts = {0};
-  const TokenFile file = tokenize(source, symbols);
-  const auto formula = Formula::compile(file.tokens, 0, kind);
-  return formula != nullptr && file.tokens[formula->end()].is(Punctuation::semicolon);
+  const TokenFile file(source, symbols);
+  const auto formula = Formula::compile(file, 0, kind);
+  return formula != nullptr && file[formula->end()].is(Punctuation::semicolon);
 }
 
 TEST(Formula, StandsForNumbersAndVectors) {
@@ -53,7 +53,7 @@ TEST(Formula, IsMadeWhenTextIsMetAgain) {
   SourceFile source;
   source.text = "1 + 2;";
   source.line_starts = {0};
-  const TokenFile file = tokenize(source, symbols);
+  const TokenFile file(source, symbols);
   FormulaTable formulas;
   EXPECT_EQ(formulas.find(file, 0, Formula::Kind::sum), nullptr);
   const Formula* const formula = formulas.find(file, 0, Formula::Kind::sum);

@@ -20,9 +20,9 @@ SourceFile source_of(std::string text) {
 
 /// The tokens of a text, with what they point into.
 struct Cut {
-  explicit Cut(std::string text) : source(source_of(std::move(text))), file(tokenize(source, symbols)) {}
-  const Token& operator[](std::size_t i) const { return file.tokens.at(i); }
-  std::size_t size() const { return file.tokens.size() - 1; }  // without the end
+  explicit Cut(std::string text) : source(source_of(std::move(text))), file(source, symbols) {}
+  Token operator[](std::size_t i) const { return file[i]; }
+  std::size_t size() const { return file.size() - 1; }  // without the end
 
   Symbols symbols;
   SourceFile source;
@@ -130,9 +130,9 @@ TEST(Lexer, ANumberHasOnePoint) { EXPECT_EQ(error_of("1.2.3"), "1:1: expected a 
 
 TEST(Lexer, LinksTheBranchesOfABlock) {
   const Cut cut("#if (1) #if (2) #end #else 3 #end");
-  const std::uint32_t branch = cut[0].symbol;
+  const std::uint32_t branch = cut.file.link(0);
   EXPECT_TRUE(cut[branch + 1].is(Keyword::else_));
-  EXPECT_TRUE(cut[cut[branch].symbol + 1].is(Keyword::end));
+  EXPECT_TRUE(cut[cut.file.link(branch) + 1].is(Keyword::end));
 }
 
 TEST(Lexer, ABlockWithoutEndIsAnError) {
