@@ -86,13 +86,15 @@ std::string Interpreter::parse_key() { return containers_.parse_key(); }
 void Interpreter::run_directive() {
   Frame& text = frame();
   const std::uint32_t hash = text.position;
-  const Token word = (*text.file)[hash + 1];
+  const Token* const all = text.file->all();
   text.position = std::min(hash + 2, text.end);
-  count(word.keyword);
+  if (all != nullptr) return obey(all[hash + 1], hash);
+  const Token word = (*text.file)[hash + 1];
   obey(word, hash);
 }
 
 void Interpreter::obey(const Token& word, std::uint32_t hash) {
+  count(word.keyword);
   switch (word.keyword) {
     case Keyword::declare:
     case Keyword::local:

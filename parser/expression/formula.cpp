@@ -23,9 +23,12 @@ const FormulaProgram* Formula::other_program(Shape shape, std::uint8_t terms) co
   return latest_ = found->get();
 }
 
-void FormulaTable::make_room(const TokenFile& file) {
-  if (file.source().index >= entries_.size()) entries_.resize(file.source().index + 1);
-  entries_[file.source().index].resize(file.size());
+void FormulaTable::go_to(const TokenFile& file) {
+  const std::size_t index = file.source().index;
+  if (index >= entries_.size()) entries_.resize(index + 1);
+  if (entries_[index].empty()) entries_[index].resize(file.size());
+  file_ = &file;
+  of_file_ = entries_[index].data();
 }
 
 const Formula* FormulaTable::meet(const TokenFile& file, std::uint32_t begin, Formula::Kind kind,

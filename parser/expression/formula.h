@@ -126,19 +126,22 @@ class FormulaTable {
  public:
   /// That of the expression which begins at the token `begin`; null when it is met for the first time or has none.
   const Formula* find(const TokenFile& file, std::uint32_t begin, Formula::Kind kind) {
-    const std::size_t index = file.source().index;
-    if (index >= entries_.size() || entries_[index].empty()) make_room(file);
-    std::uint32_t& entry = entries_[index][begin][static_cast<std::size_t>(kind)];
+    if (&file != file_) go_to(file);
+    std::uint32_t& entry = of_file_[begin][static_cast<std::size_t>(kind)];
     return entry >= kFirst ? formulas_[entry - kFirst].get() : entry == kNone ? nullptr : meet(file, begin, kind, entry);
   }
 
  private:
   static constexpr std::uint32_t kNew = 0, kMet = 1, kNone = 2, kFirst = 3;
 
-  void make_room(const TokenFile& file);
+  using Entry = std::array<std::uint32_t, 2>;  // by kind
+
+  void go_to(const TokenFile& file);
   const Formula* meet(const TokenFile& file, std::uint32_t begin, Formula::Kind kind, std::uint32_t& entry);
 
-  std::vector<std::vector<std::array<std::uint32_t, 2>>> entries_;  // by SourceFile::index, first token, and kind
+  std::vector<std::vector<Entry>> entries_;  // by SourceFile::index, and first token
+  const TokenFile* file_ = nullptr;          // of the latest question
+  Entry* of_file_ = nullptr;                 // its entries
   std::vector<std::unique_ptr<const Formula>> formulas_;
 };
 

@@ -49,11 +49,11 @@ class TokenFile {
   std::size_t size() const { return size_; }
   Token operator[](std::size_t index) const { return view(index); }
   Token back() const { return view(size_ - 1); }
-  /// The token where it lies. It stays there until another is asked for; of a file that keeps_all() as long as the file.
+  /// The token where it lies. It stays there until another is asked for; of a file that has all() as long as the file.
   const Token& view(std::size_t index) const { return all_ != nullptr ? all_[index] : on_page(index); }
 
-  /// Whether tokens stay where they lie.
-  bool keeps_all() const { return all_ != nullptr; }
+  /// The first token when all stay where they lie, one behind the other; else null.
+  const Token* all() const { return all_; }
 
   /// In the order of the text.
   std::span<const BlockDirective> blocks() const { return blocks_; }
@@ -78,7 +78,7 @@ class TokenFile {
   class BlockLinks;
 
   std::size_t page_size() const { return std::size_t{1} << budget_.page_bits; }
-  const Token& on_page(std::size_t index) const;
+  [[gnu::noinline]] const Token& on_page(std::size_t index) const;  // so that view() stays short
   const Token* cut(std::size_t page) const;
 
   const SourceFile* source_;

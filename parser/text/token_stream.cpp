@@ -32,9 +32,10 @@ void TokenStream::settle() {
   if (pending_ && is_held()) return;
   unsettle();
   Frame& frame = frames_.back();
-  if (frame.position < frame.end) {
-    const Token& token = frame.file->view(frame.position);
-    if (stands_for_itself(token)) return show(token, frame.position++);
+  const Token* const all = frame.file->all();
+  if (all != nullptr && frame.position < frame.end) {
+    const Token& token = all[frame.position];
+    if (stands_for_itself(token)) return show_where_it_lies(token, frame.position++);
   }
   settle_step_by_step();
 }
@@ -50,7 +51,12 @@ void TokenStream::settle_step_by_step() {
       }
       return show(frame.file->view(frame.end), frame.end);
     }
-    if (frame.file->view(frame.position).is(Punctuation::hash) && !is_held()) {
+    const Token& token = frame.file->view(frame.position);
+    if (token.kind == TokenKind::identifier) {
+      if (settle_name()) return;
+      continue;
+    }
+    if (token.is(Punctuation::hash) && !is_held()) {
       note_statement(frame.position);
       const Nesting nesting(*this);
       run_directive();
@@ -59,15 +65,11 @@ void TokenStream::settle_step_by_step() {
       unsettle();
       continue;
     }
-    if (frame.file->view(frame.position).kind == TokenKind::identifier) {
-      if (settle_name()) return;
-      continue;
-    }
-    if (is_prefix()) {
+    if (!stands_for_itself(token) && is_prefix()) {
       if (settle_prefixed_name()) return;
       continue;
     }
-    show(frame.file->view(frame.position), frame.position);
+    show(frame.file->view(frame.position), frame.position);  // anew, for is_prefix() has looked behind it
     ++frame.position;
     pending_ = next_->is(Punctuation::hash);
     return;
@@ -87,6 +89,7 @@ bool TokenStream::settle_name() {
     next_scope_ = binding->scope;
     return true;
   }
+  if (frame.file->all() != nullptr) return settle_as(name, index, binding, false);
   return settle_as(Token(name), index, binding, false);
 }
 

@@ -270,7 +270,12 @@ class TokenStream {
   void settle();
   void settle_step_by_step();
   void show(const Token& token, std::uint32_t index) {
-    next_ = frames_.back().file->keeps_all() ? &token : &(shown_ = token);
+    if (frames_.back().file->all() != nullptr) return show_where_it_lies(token, index);
+    shown_ = token;
+    show_where_it_lies(shown_, index);
+  }
+  void show_where_it_lies(const Token& token, std::uint32_t index) {
+    next_ = &token;
     next_index_ = index;
     next_value_ = nullptr;
     settled_ = true;
