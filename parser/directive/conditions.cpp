@@ -81,9 +81,8 @@ void Conditions::forget_innermost() {
 bool Conditions::in_block() const { return !open_.empty() && open_.back().frame == in_.frames().size(); }
 
 void Conditions::fail_unclosed(const Token& word) {
-  in_.fail(in_.frame().file->back().location,
-           "expected '#end' to close " + hash_word(word) + ", found end of file", word.location,
-           hash_word(word) + " opened here");
+  in_.fail(in_.frame().file->back().location, "expected '#end' to close " + hash_word(word) + ", found end of file",
+           word.location, hash_word(word) + " opened here");
 }
 
 // Whether the innermost block is one that may have branches here: one of this file or macro, or a choice in the file

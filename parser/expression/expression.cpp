@@ -218,8 +218,7 @@ Numbers parse_numbers(Evaluator& in, Formula::Kind kind, std::uint8_t terms, Loc
 }  // namespace
 
 void fail_components(Evaluator& in, const Location& at, std::string_view expected, const Numbers& found) {
-  in.fail(at,
-          "expected a " + std::string(expected) + ", found a " + std::string(kind_name(found)) + " expression");
+  in.fail(at, "expected a " + std::string(expected) + ", found a " + std::string(kind_name(found)) + " expression");
 }
 
 double divide(Evaluator& in, const Token& mark, double a, double b) {

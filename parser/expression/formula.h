@@ -128,7 +128,9 @@ class FormulaTable {
   const Formula* find(const TokenFile& file, std::uint32_t begin, Formula::Kind kind) {
     if (&file != file_) go_to(file);
     std::uint32_t& entry = of_file_[begin][static_cast<std::size_t>(kind)];
-    return entry >= kFirst ? formulas_[entry - kFirst].get() : entry == kNone ? nullptr : meet(file, begin, kind, entry);
+    return entry >= kFirst  ? formulas_[entry - kFirst].get()
+           : entry == kNone ? nullptr
+                            : meet(file, begin, kind, entry);
   }
 
  private:

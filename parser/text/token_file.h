@@ -36,13 +36,13 @@ constexpr PageBudget kPageBudget{std::size_t{1} << 20, 12, 64};
 /// A file cut into tokens; the last one is always TokenKind::end.
 ///
 /// Links    Block directives are known without the tokens: skipping text is following links, not reading it.
-/// Memory   Pages of tokens. A file that has too many for its PageBudget gives up the page that was cut the longest time
-///          ago for one that is asked for, which is cut again: 8 bytes a page tell where its text begins.
+/// Memory   All tokens, or, when they are too many for its PageBudget, pages of them: for one that is asked for, which
+///          is cut again, the one that was cut the longest time ago is given up.
 /// Threads  One at a time.
 class TokenFile {
  public:
-  /// Throws SyntaxError for what cannot be text of a scene, and for a loop or macro without #end. `source` and `symbols`
-  /// must live as long.
+  /// Throws SyntaxError for what cannot be text of a scene, and for a loop or macro without #end. `source` and
+  /// `symbols` must live as long.
   TokenFile(const SourceFile& source, Symbols& symbols, PageBudget budget = kPageBudget);
 
   const SourceFile& source() const { return *source_; }
@@ -89,7 +89,7 @@ class TokenFile {
   // Of a file that keeps them: all tokens.
   std::vector<Token> tokens_;
   const Token* all_ = nullptr;
-  // Of one that gives up pages: all pages, and a ring of those that are kept. The one to be given up next is at `oldest_`.
+  // Of one that gives up pages: all pages, and a ring of those that are kept. The next to be given up is at `oldest_`.
   mutable std::vector<Page> pages_;
   mutable std::vector<KeptPage> kept_;
   mutable std::size_t oldest_ = 0;

@@ -296,7 +296,7 @@ class TokenStream {
   // Names given as strings: file, the `[`, symbol.
   std::set<std::tuple<std::uint32_t, std::uint32_t, std::uint32_t>> named_by_strings_;
   std::map<std::uint32_t, Deprecation> deprecated_;  // by symbol
-  bool replays_ = false;  // there has been a turn of a loop or a call of a macro
+  bool replays_ = false;                             // there has been a turn of a loop or a call of a macro
   // The token that peek() gives. `pending_`: it is a `#` or a macro's name, shown because of a Hold.
   const Token* next_ = nullptr;
   Token shown_;  // it, unless it lies where it stays

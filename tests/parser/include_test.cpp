@@ -1,3 +1,4 @@
+#include "parser/text/source.h"
 #include "tests/parser/evaluated.h"
 
 #include <fstream>
@@ -101,6 +102,13 @@ TEST(Include, AMissingFileIsNamed) {
   EXPECT_EQ(errors(result),
             "there is no file 'nowhere.inc' in the current folder, the scene's or the library folders\n");
   EXPECT_EQ(result.diagnostics.back().line, 2u);
+}
+TEST(Include, AFileBeyondTheLimitIsNotRead) {
+  const Folder folder;
+  const auto part = folder.add("part.inc", "");
+  std::filesystem::resize_file(part, SourceFiles::kLargestFile + 1);  // a hole, which takes no room
+  EXPECT_EQ(errors(folder.load("#include \"part.inc\"")), "'" + part.string() + "' is too large (limit 2048 MiB)\n");
+  EXPECT_EQ(errors(PovFrontEnd().load(part.string(), {})), "the file is too large (limit 2048 MiB)\n");
 }
 TEST(Include, AFileElsewhereMayNotBeRead) {
   const Folder folder;

@@ -138,7 +138,8 @@ TEST(TokenFile, ALargeSceneIsReadAsASmallOne) {
 
 TEST(TokenFile, AMistakeFarBehindHasItsPlace) {
   const std::string skipped = "#if (0)\n" + very_many_tokens() + "#end\n";
-  const auto result = load("#declare A = 1;\n" + skipped + skipped + "#declare B = A;\n  sphere { 0, 1 } torus { 1, C }");
+  const auto result =
+      load("#declare A = 1;\n" + skipped + skipped + "#declare B = A;\n  sphere { 0, 1 } torus { 1, C }");
   ASSERT_EQ(errors(result), "expected a numeric expression, found undeclared identifier 'C'\n");
   EXPECT_EQ(result.diagnostics.front().line, 220'007u);
   EXPECT_EQ(result.diagnostics.front().column, 30u);
