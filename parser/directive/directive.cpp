@@ -89,8 +89,7 @@ void Interpreter::run_directive() {
   const Token* const all = text.file->all();
   text.position = std::min(hash + 2, text.end);
   if (all != nullptr) return obey(all[hash + 1], hash);
-  const Token word = (*text.file)[hash + 1];
-  obey(word, hash);
+  obey((*text.file)[hash + 1], hash);
 }
 
 void Interpreter::obey(const Token& word, std::uint32_t hash) {

@@ -68,7 +68,6 @@ class Mesh2 {
     while (reader_.accept(Keyword::inside_vector)) mesh_.inside_vector = parse_inside_vector(reader_);
     complete_uvs();
     complete_normals();
-    give_up_room();
     return std::move(mesh_);
   }
   const std::vector<render::TexturePtr>& textures() const { return textures_; }
@@ -251,15 +250,6 @@ class Mesh2 {
     // faces behind the last entry are flat
     if (!mesh_.face_normals.empty()) mesh_.face_normals.resize(mesh_.faces.size(), MeshParameters::kNoCorners);
     if (!mesh_.face_textures.empty()) mesh_.face_textures.resize(mesh_.faces.size(), MeshParameters::kNoCorners);
-  }
-
-  /// Lists that have grown by doubling may have room for as much again.
-  void give_up_room() {
-    mesh_.vertices.shrink_to_fit();
-    mesh_.normals.shrink_to_fit();
-    mesh_.uv.shrink_to_fit();
-    mesh_.faces.shrink_to_fit();
-    mesh_.face_normals.shrink_to_fit();
   }
 
   Reader& reader_;

@@ -53,7 +53,7 @@ void TokenStream::settle_step_by_step() {
     }
     const Token& token = frame.file->view(frame.position);
     if (token.kind == TokenKind::identifier) {
-      if (settle_name()) return;
+      if (settle_name(token)) return;
       continue;
     }
     if (token.is(Punctuation::hash) && !is_held()) {
@@ -76,12 +76,11 @@ void TokenStream::settle_step_by_step() {
   }
 }
 
-// False when the name was a macro's, which has been called.
-bool TokenStream::settle_name() {
+// At a name where it lies. False when it was a macro's, which has been called.
+bool TokenStream::settle_name(const Token& name) {
   Frame& frame = frames_.back();
   const std::uint32_t index = frame.position++;
   note_statement(index);
-  const Token& name = frame.file->view(index);
   const Scopes::Binding* const binding = scopes_.find(name.symbol);
   if (binding != nullptr && std::holds_alternative<Numbers>(*binding->slot) && deprecated_.empty()) {  // most of them
     show(name, index);

@@ -281,7 +281,7 @@ class TokenStream {
     settled_ = true;
   }
   bool is_prefix() const;
-  bool settle_name();
+  bool settle_name(const Token& name);
   bool settle_prefixed_name();
   bool settle_as(const Token& name, std::uint32_t index, const Scopes::Binding* binding, bool prefixed);
 
