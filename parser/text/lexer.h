@@ -41,7 +41,7 @@ class Lexer {
   Token next();  ///< TokenKind::end behind the last
   /// The same without the number of a number.
   Token next_in_outline();
-  /// Of the token that was given last.
+  /// The one where the token begins that was given last.
   Place place() const;
 
  private:

@@ -32,7 +32,7 @@ class TokenFile::BlockLinks {
     const auto here = static_cast<std::uint32_t>(blocks_.size());
     blocks_.push_back({.hash = hash, .word = word.keyword});
     if (opens) {
-      open_.push_back({here, word});
+      open_.push_back({here, here});
     } else if (!open_.empty()) {
       blocks_[open_.back().last].follower = here;
       open_.back().last = here;
@@ -41,10 +41,12 @@ class TokenFile::BlockLinks {
   }
 
   /// A branch may end in the file that includes this one; a loop or a macro may not.
-  void finish(const SourceFile& source, const Location& end) {
-    std::erase_if(open_, [](const Open& block) { return !must_close_in_its_file(block.word.keyword); });
+  void check_closed(const TokenFile& file) {
+    std::erase_if(open_, [&](const Open& block) { return !must_close_in_its_file(blocks_[block.opener].word); });
     if (open_.empty()) return;
-    const Token& word = open_.back().word;
+    const Token word = file[blocks_[open_.back().opener].hash + 1];
+    const Location end = file.back().location;
+    const SourceFile& source = file.source();
     const auto message = "expected '#end' to close '#" + std::string(word.text) + "', found end of file";
     throw SyntaxError({diagnostic_at(source, end, render::Diagnostic::Severity::error, message),
                        diagnostic_at(source, word.location, render::Diagnostic::Severity::note,
@@ -53,8 +55,8 @@ class TokenFile::BlockLinks {
 
  private:
   struct Open {
+    std::uint32_t opener;
     std::uint32_t last;  // the part whose follower is not known yet
-    Token word;
   };
   std::vector<BlockDirective>& blocks_;
   std::vector<Open> open_;
@@ -74,7 +76,6 @@ TokenFile::TokenFile(const SourceFile& source, Symbols& symbols, PageBudget budg
     if (is_behind_hash) links.add(token, static_cast<std::uint32_t>(size_ - 1));
     is_behind_hash = token.is(Punctuation::hash);
     ends = token.is_end();
-    if (ends) links.finish(source, token.location);
   }
   if (size_ == tokens_.size()) {
     all_ = tokens_.data();
@@ -84,6 +85,7 @@ TokenFile::TokenFile(const SourceFile& source, Symbols& symbols, PageBudget budg
   }
   blocks_.shrink_to_fit();
   pages_.shrink_to_fit();
+  links.check_closed(*this);
 }
 
 const Token& TokenFile::on_page(std::size_t index) const {

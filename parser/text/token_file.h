@@ -44,6 +44,8 @@ class TokenFile {
   /// Throws SyntaxError for what cannot be text of a scene, and for a loop or macro without #end. `source` and
   /// `symbols` must live as long.
   TokenFile(const SourceFile& source, Symbols& symbols, PageBudget budget = kPageBudget);
+  TokenFile(const TokenFile&) = delete;
+  TokenFile& operator=(const TokenFile&) = delete;
 
   const SourceFile& source() const { return *source_; }
   std::size_t size() const { return size_; }
@@ -86,10 +88,10 @@ class TokenFile {
   PageBudget budget_;
   std::size_t size_ = 0;
   std::vector<BlockDirective> blocks_;
-  // Of a file that keeps them: all tokens.
+  // A file that keeps them: all tokens.
   std::vector<Token> tokens_;
   const Token* all_ = nullptr;
-  // Of one that gives up pages: all pages, and a ring of those that are kept. The next to be given up is at `oldest_`.
+  // One that gives up pages: all pages, and a ring of those that are kept. The next to be given up is at `oldest_`.
   mutable std::vector<Page> pages_;
   mutable std::vector<KeptPage> kept_;
   mutable std::size_t oldest_ = 0;
