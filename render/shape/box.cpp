@@ -26,7 +26,6 @@ namespace firstlight::render {
 
 FIRSTLIGHT_MEET_MEMBERS(AxisBox)
 FIRSTLIGHT_INSIDE_MEMBERS(AxisBox)
-void AxisBox::meet(const Ray& ray, BoxMet& met) const { HWY_NAMESPACE::meet_one(*this, ray, met); }
 
 namespace {
 

@@ -2,23 +2,10 @@
 
 #include "render/shape/placed.h"
 
-#include <array>
 #include <cstddef>
 #include <cstdint>
 
 namespace firstlight::render {
-
-/// The crossings of a box with one ray.
-struct BoxMet {
-  std::array<double, 2> depth;
-  std::array<std::uint32_t, 2> face;
-  std::size_t count = 0;
-
-  void add(double at, std::uint32_t which) {
-    depth[count] = at;
-    face[count++] = which;
-  }
-};
 
 /// A box along the axes of its space, and its formulas. Face 2 * axis is the lower side, 2 * axis + 1 the upper.
 ///
@@ -29,8 +16,6 @@ struct AxisBox {
   Vec3 low;
   Vec3 high;
 
-  /// Depths are those of the given ray, whatever its direction's length.
-  void meet(const Ray& ray, BoxMet& met) const;
   void meet(const Ray& ray, Met& met) const;
   bool inside(const Vec3& point, bool inverted) const;
   void meet_block(const RaysAndPlace& asked, Slots& slots) const;

@@ -4,6 +4,7 @@
 #include "render/shape/placed.h"
 #include "render/shape/root_search.h"
 #include "render/shape/slots.h"
+#include "render/shape/tolerance.h"
 
 #include <algorithm>
 #include <bit>
@@ -70,31 +71,24 @@ struct Isosurface {
   }
 
   void meet(const Ray& ray, Met& met) const {
-    RayColumns rays;
-    set_ray(rays, 0, ray);
     OneRay taker{met};
-    meet(rays, 1, taker);
+    meet({p.container, Transform(), alone(ray), 1}, taker);
   }
   void meet_block(const RaysAndPlace& asked, Slots& slots) const {
-    RayColumns rays;
-    for_each_bit(asked.who, [&](std::size_t i) { set_ray(rays, i, asked.transform.inverse_ray(asked.rays.ray(i))); });
+    const ContainedRays contained(p.container, asked.transform, asked.rays, asked.who);
+    if (contained.met == 0) return;
     IntoSlots taker(asked, slots);
-    meet(rays, asked.who, taker);
+    meet(contained, taker);
   }
   bool inside(const Vec3& point, bool inverted) const {
-    Columns3<double> points;
-    points.set(0, point);
-    return inside_block(Transform(), inverted, points, 1) != 0;
+    return inside_block(Transform(), inverted, {alone(point.x), alone(point.y), alone(point.z)}, 1) != 0;
   }
   std::uint64_t inside_block(const Transform& transform, bool inverted, const Columns3<double>& points,
                              std::uint64_t who) const {
     RayColumns places;  // depth 0 of rays that go nowhere
-    std::uint64_t held = 0;
-    for_each_bit(who, [&](std::size_t i) {
-      const Vec3 point = transform.inverse_point(points.vector(i));
-      set_ray(places, i, {point, Vec3(0.0)});
-      if (holds(p.container, point)) held |= std::uint64_t{1} << i;
-    });
+    const std::uint64_t held = held_points(p.container, transform, points, who, places.origin);
+    if (held == 0) return inverted ? who : 0;
+    for (Column<double>& along : places.direction.of) along.at.fill(0.0);
     Column<double> depth;
     Column<double> value;
     depth.at.fill(0.0);
@@ -148,10 +142,6 @@ struct Isosurface {
   Box3 inside_bounds() const { return bounds(); }
 
  private:
-  static void set_ray(RayColumns& rays, std::size_t i, const Ray& ray) {
-    rays.origin.set(i, ray.origin);
-    rays.direction.set(i, ray.direction);
-  }
   RayFields fields(const RayColumns& rays) const { return {*p.function, p.threshold, rays, p.noise_generator}; }
 
   /// Normal of the container's own surface.
@@ -180,9 +170,8 @@ struct Isosurface {
       const Vec3 from = box.min + size * Vec3(draw[0], draw[1], draw[2]);
       const Vec3 to = box.min + size * Vec3(draw[3], draw[4], draw[5]);
       const Vec3 direction = unit(to - from);
-      RayColumns rays;
-      set_ray(rays, 0, {from - direction * size.length(), direction});
-      const Learnt learnt = meet(rays, 1, nothing);
+      const Ray ray{from - direction * size.length(), direction};
+      const Learnt learnt = meet({p.container, Transform(), alone(ray), 1}, nothing);
       left -= learnt.evaluations;
       if (learnt.gradient < kBoundless) p.max_gradient = std::max(p.max_gradient, learnt.gradient);
     }
@@ -194,9 +183,9 @@ struct Isosurface {
   };
 
   template <class Taker>
-  Learnt meet(const RayColumns& rays, std::uint64_t who, Taker& taker) const {
-    Meeting<Taker> meeting(*this, rays, taker);
-    meeting.run(who);
+  Learnt meet(const ContainedRays& contained, Taker& taker) const {
+    Meeting<Taker> meeting(*this, contained, taker);
+    meeting.run();
     return meeting.learnt();
   }
 
@@ -204,13 +193,13 @@ struct Isosurface {
   template <class Taker>
   class Meeting {
    public:
-    Meeting(const Isosurface& surface, const RayColumns& rays, Taker& taker)
-        : p_(surface.p), rays_(rays), taker_(taker), fields_(surface.fields(rays)) {
+    Meeting(const Isosurface& surface, const ContainedRays& contained, Taker& taker)
+        : p_(surface.p), contained_(contained), taker_(taker), fields_(surface.fields(contained.rays)) {
       part_.gradient[0] = p_.max_gradient;
     }
 
-    void run(std::uint64_t who) {
-      std::uint64_t open = begin(who);
+    void run() {
+      const std::uint64_t open = begin();
       if (p_.evaluate) {
         LearningSearch search(fields_, p_.accuracy, *p_.evaluate);
         find_all(open, search);
@@ -219,24 +208,21 @@ struct Isosurface {
         RootSearch search(fields_, p_.accuracy);
         find_all(open, search);
       }
-      for_each_bit(leaves_cap_, [&](std::size_t i) { taker_.add(i, contained_[i].end, contained_[i].end_face); });
+      for_each_bit(leaves_cap_, [&](std::size_t i) { taker_.add(i, contained_.end[i], face(contained_.end_face[i])); });
     }
     Learnt learnt() const { return {part_.gradient[0], evaluations_}; }
 
    private:
     /// Finds the parts of the rays that are to be searched, and what they meet of the container's surface first.
-    std::uint64_t begin(std::uint64_t who) {
+    std::uint64_t begin() {
       std::uint64_t met = 0;
-      for_each_bit(who, [&](std::size_t i) {
-        const Ray ray = rays_.ray(i);
-        const std::optional<ContainedPart> part = contained_part(p_.container, ray);
-        if (!part || std::max(part->begin, 0.0) > taker_.high(i)) return;
+      for_each_bit(contained_.met, [&](std::size_t i) {
+        part_.begin[i] = std::max(contained_.begin[i], 0.0);
+        if (part_.begin[i] > taker_.high(i)) return;
         met |= std::uint64_t{1} << i;
-        contained_[i] = *part;
-        part_.begin[i] = std::max(part->begin, 0.0);
-        part_.end[i] = std::min(part->end, kBoundingHuge);
+        part_.end[i] = std::min(contained_.end[i], kBoundingHuge);
         part_.high[i] = taker_.high(i);
-        part_.speed[i] = ray.direction.length();
+        part_.speed[i] = contained_.rays.direction.vector(i).length();
         part_.gradient[i] = p_.max_gradient;
       });
       fields_.at(met, part_.begin, part_.at_begin);
@@ -266,12 +252,13 @@ struct Isosurface {
           leaves_cap_ &= ~bit;
           return;
         }
-        if ((enters_cap & bit) != 0) taker_.add(i, part_.begin[i], contained_[i].begin_face);
+        if ((enters_cap & bit) != 0) taker_.add(i, part_.begin[i], face(contained_.begin_face[i]));
         traces_[i] = (enters_cap & bit) != 0 ? 1 : 0;
         if (goes_on(i)) open |= bit;
       });
       return open;
     }
+    static std::uint32_t face(double number) { return static_cast<std::uint32_t>(number); }
     bool goes_on(std::size_t i) const { return traces_[i] < p_.max_trace && !taker_.is_enough(i); }
     void turn(std::size_t i) {
       fields_.turn(i);
@@ -304,11 +291,10 @@ struct Isosurface {
     }
 
     const IsosurfaceParameters& p_;
-    const RayColumns& rays_;
+    const ContainedRays& contained_;
     Taker& taker_;
     RayFields fields_;
     SearchedPart part_;
-    std::array<ContainedPart, kRaysAtOnce> contained_;
     std::array<int, kRaysAtOnce> traces_;
     std::uint64_t leaves_cap_ = 0;
     int evaluations_ = 0;

@@ -10,7 +10,6 @@
 #include <bit>
 #include <cmath>
 #include <cstdint>
-#include <optional>
 #include <span>
 #include <utility>
 
@@ -233,21 +232,18 @@ struct Parametric {
   }
 
   void meet(const Ray& ray, Met& met) const {
-    RayColumns rays;
-    set_ray(rays, 0, ray);
-    meet(rays, 1, [&](std::size_t, double depth, const Vec2& uv) { met.add(depth, 0, {uv.x, uv.y}); });
+    meet({p.container, Transform(), alone(ray), 1}, [&](std::size_t, double depth, const Vec2& uv) {
+      met.add(depth, 0, {uv.x, uv.y});
+    });
   }
   void meet_block(const RaysAndPlace& asked, Slots& slots) const {
-    RayColumns rays;
-    for (std::uint64_t bits = asked.who; bits != 0; bits &= bits - 1) {
-      const auto i = static_cast<std::size_t>(std::countr_zero(bits));
-      set_ray(rays, i, asked.transform.inverse_ray(asked.rays.ray(i)));
-    }
+    const ContainedRays contained(p.container, asked.transform, asked.rays, asked.who);
+    if (contained.met == 0) return;
     Slot* const slot = slots.add(asked.shape);
     if (slot == nullptr) return;
     slot->has_places = true;
     Slot::Details& details = slot->own_details();
-    meet(rays, asked.who, [&](std::size_t i, double depth, const Vec2& uv) {
+    meet(contained, [&](std::size_t i, double depth, const Vec2& uv) {
       slot->rays |= std::uint64_t{1} << i;
       slot->depth[i] = depth;
       details.place[0][i] = uv.x;
@@ -292,17 +288,11 @@ struct Parametric {
   Box3 inside_bounds() const { return bounds(); }
 
  private:
-  static void set_ray(RayColumns& rays, std::size_t i, const Ray& ray) {
-    rays.origin.set(i, ray.origin);
-    rays.direction.set(i, ray.direction);
-  }
-
-  /// Calls take(i, depth, uv) for those rays in `who` that meet the surface. In each round the rays that are still on
+  /// Calls take(i, depth, uv) for those rays that meet the surface. In each round the rays that are still on
   /// their way go to a rectangle for whose halves a function must be asked.
   template <class Take>
-  void meet(const RayColumns& rays, std::uint64_t who, const Take& take) const {
+  void meet(const ContainedRays& contained, const Take& take) const {
     thread_local std::array<Walk, kRaysAtOnce> walks;
-    std::array<double, kRaysAtOnce> end;
     std::array<std::uint64_t, 3> asking{};  // by axis: rays that ask for that coordinate
     // On from halves that are met along the axes before `axis`, or are not.
     const auto go_on = [&](std::size_t i, std::size_t axis, bool is_met) {
@@ -320,18 +310,16 @@ struct Parametric {
         axis = 0;
         is_met = true;
       } while (walk.next());
-      if (walk.nearest() < end[i] && walk.nearest() > 0.0) take(i, walk.nearest(), walk.uv());
+      if (walk.nearest() < contained.end[i] && walk.nearest() > 0.0) take(i, walk.nearest(), walk.uv());
     };
-    for (; who != 0; who &= who - 1) {
-      const auto i = static_cast<std::size_t>(std::countr_zero(who));
-      const Ray ray = rays.ray(i);
-      const std::optional<ContainedPart> part = contained_part(p.container, ray);
-      if (!part) continue;
-      const double begin = (part->begin == part->end ? 0.0 : part->begin) + kStartRoom * p.accuracy;
-      if (begin > part->end) continue;
-      end[i] = part->end;
-      walks[i].start(ray, {begin, part->end}, p.accuracy);
-      if (add_whole(ray, {begin, part->end}, walks[i]) && walks[i].next()) go_on(i, 0, true);
+    for (std::uint64_t met = contained.met; met != 0; met &= met - 1) {
+      const auto i = static_cast<std::size_t>(std::countr_zero(met));
+      const Ray ray = contained.rays.ray(i);
+      const double enters = contained.begin[i], end = contained.end[i];
+      const double begin = (enters == end ? 0.0 : enters) + kStartRoom * p.accuracy;
+      if (begin > end) continue;
+      walks[i].start(ray, {begin, end}, p.accuracy);
+      if (add_whole(ray, {begin, end}, walks[i]) && walks[i].next()) go_on(i, 0, true);
     }
     while ((asking[0] | asking[1] | asking[2]) != 0 && !Interrupt::asked()) {
       for (std::size_t axis = 0; axis < 3; ++axis) {

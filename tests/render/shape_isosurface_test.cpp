@@ -5,7 +5,9 @@ namespace firstlight::render {
 namespace {
 
 double ball(double x, double y, double z) { return std::sqrt(x * x + y * y + z * z) - 0.9; }
-double waves(double x, double y, double z) { return y - 0.3 * std::sin(7.0 * x) * std::cos(5.0 * z) + 0.1 * std::sin(31.0 * x); }
+double waves(double x, double y, double z) {
+  return y - 0.3 * std::sin(7.0 * x) * std::cos(5.0 * z) + 0.1 * std::sin(31.0 * x);
+}
 
 IsosurfaceParameters of(Formula::Value value, double max_gradient = 1.1) {
   IsosurfaceParameters parameters;
@@ -55,17 +57,18 @@ TEST(Isosurface, IsMetWherePovRaysRuleFindsIt) {
     int count = 0;
     for (int i = 0; i < 1500; ++i) {
       const Ray ray = rain.next();
-      const std::optional<ContainedPart> part = contained_part(parameters.container, ray);
-      if (!part || box.intersects(ray.origin) || part->end - part->begin < parameters.accuracy) continue;
+      const ContainedRays contained(parameters.container, Transform(), alone(ray), 1);
+      const double begin = contained.begin[0], end = contained.end[0];
+      if (contained.met == 0 || box.intersects(ray.origin) || end - begin < parameters.accuracy) continue;
       const auto f = [&](double t) {
         const Vec3 p = ray.at(t);
         return waves(p.x, p.y, p.z);
       };
-      const double sign = f(part->begin) < 0.0 ? -1.0 : 1.0;
+      const double sign = f(begin) < 0.0 ? -1.0 : 1.0;
       const ByTheRule rule{[&](double t) { return sign * f(t); }, parameters.accuracy};
-      const double length = part->end - part->begin;
+      const double length = end - begin;
       double root = 0.0;
-      const bool is_met = rule.find(part->begin, sign * f(part->begin), part->end, sign * f(part->end),
+      const bool is_met = rule.find(begin, sign * f(begin), end, sign * f(end),
                                     gradient * ray.direction.length() * length, length, root);
       const std::vector<double> found = depths(shape, ray);
       ASSERT_EQ(!found.empty(), is_met);
@@ -150,7 +153,8 @@ TEST(Isosurface, OfAnyFunctionComesToAnEnd) {
   const auto zero = [](double, double, double) { return 0.0; };
   const auto endless = [](double x, double, double) { return 1.0 / x; };
   const auto huge = [](double x, double, double) { return 1e300 * x; };
-  for (const Formula::Value& value : {Formula::Value(nan), Formula::Value(zero), Formula::Value(endless), Formula::Value(huge)}) {
+  for (const Formula::Value& value :
+       {Formula::Value(nan), Formula::Value(zero), Formula::Value(endless), Formula::Value(huge)}) {
     for (const double accuracy : {1e-3, 1e-300, 1e300}) {
       IsosurfaceParameters parameters = of(value, accuracy < 1e-3 ? 1e-9 : 1e9);
       parameters.accuracy = accuracy;
