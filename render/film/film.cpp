@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <bit>
+#include <limits>
 #include <numeric>
 
 namespace firstlight::render {
@@ -146,17 +147,23 @@ PixelColor Film::mean_so_far(std::uint32_t pixel) const {
 double Film::most_change_of_mean(std::uint32_t pixel) const {
   std::int64_t outstanding = 0;
   Rgb sum = sample_color(pixel);
+  float largest = max_magnitude(sum);
   const std::uint32_t first = first_of_mean_[pixel];
   const std::uint32_t samples = count_of_mean_.load(std::memory_order_relaxed);
   for (std::uint32_t sample = first; sample < first + samples; ++sample) {
     outstanding = FixedRgb::sum(outstanding, sample_outstanding(sample));
-    sum += sample_color(sample);
+    const Rgb color = sample_color(sample);
+    largest = std::max(largest, max_magnitude(color));
+    sum += color;
   }
   if (outstanding == 0) return 0.0;
   const double count = samples + 1.0;
+  const double most = FixedRgb::to_double(outstanding);
   const Rgb color = mean_so_far(pixel).light;
   const double to_mean = max_magnitude(color - sum / static_cast<float>(count));
-  return std::min(to_mean + FixedRgb::to_double(outstanding) / count, most_change(color));
+  // Sums and means are in single precision, the last ones too, whose samples may be brighter by `most`.
+  const double rounding = (count + 2.0) * std::numeric_limits<float>::epsilon() * (static_cast<double>(largest) + most);
+  return std::min(to_mean + most / count + rounding, most_change(color));
 }
 
 bool Film::is_complete() const {
