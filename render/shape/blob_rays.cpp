@@ -28,7 +28,7 @@ struct Change {
   std::uint32_t visit;
   bool enters;
 
-  /// Of changes at the same place that of the later visit comes first.
+  /// Where two changes are at the same place, that of the later visit comes first.
   static bool comes_later(const Change& a, const Change& b) {
     return a.at > b.at || (a.at == b.at && (a.visit < b.visit || (a.visit == b.visit && b.enters)));
   }
