@@ -36,8 +36,6 @@ class SlabTree {
 
  private:
   void group(std::span<const std::uint32_t> members);
-  std::size_t best_split(std::span<const std::uint32_t> sorted) const;
-  void sort(std::span<std::uint32_t> list) const;
   void add_unbounded(std::span<const std::uint32_t> unbounded);
 
   std::vector<Node> nodes_;

@@ -144,6 +144,53 @@ HWY_INLINE L bracketed_root(const L* c, Order order, L a, L b, const MaskOf<L>& 
   return select(open, x, root);
 }
 
+/// Roots of lines and parabolas in an interval.
+template <class L>
+struct FewRoots {
+  L first, second;
+  MaskOf<L> has_first, has_second;
+};
+
+/// In closed form, but how many there are the signs at both ends of the interval say: where they differ there is one, and
+/// of intervals that touch one alone has a root between them.
+/// Source   W. Kahan, On the Cost of Floating-Point Computation Without Extra-Precise Arithmetic, 2004: of both roots
+///          of a parabola each is a quotient without cancellation.
+template <class L, class Order>
+HWY_INLINE FewRoots<L> few_roots(const L* c, Order order, const L& low, const L& high) {
+  L bend = 0.0;
+  if constexpr (Order() == 2) bend = c[2];
+  const auto below_low = value(c, order, low) < L(0.0);
+  const auto below_high = value(c, order, high) < L(0.0);
+  const L discriminant = c[1] * c[1] - 4.0 * (bend * c[0]);
+  const L root = sqrt(max(discriminant, L(0.0)));
+  const auto falls = c[1] < L(0.0);
+  const L q = -0.5 * (c[1] + select(falls, -root, root));
+  const auto in_interval = [&](const L& x) HWY_ATTR {
+    const L above = select(x > low, x, low);
+    return select(above < high, above, high);
+  };
+  // The curve rises through q / bend where it falls at 0, and else through c[0] / q.
+  const auto by_bend = (falls & below_low) | !(falls | below_low);
+  FewRoots<L> roots;
+  roots.has_first = without(below_low | below_high, below_low & below_high);
+  roots.first = in_interval(select(by_bend, q, c[0]) / select(by_bend, bend, q));
+  // Two: it turns around between the ends, on the other side.
+  const L slope_low = c[1] + 2.0 * (bend * low);
+  const L slope_high = c[1] + 2.0 * (bend * high);
+  const auto dips = without((slope_low < L(0.0)) & (slope_high > L(0.0)), below_low | below_high);
+  const auto peaks = (slope_low > L(0.0)) & (slope_high < L(0.0)) & below_low & below_high;
+  roots.has_second = (dips | peaks) & (discriminant > L(0.0));
+  roots.second = roots.first;
+  if (any(roots.has_second)) {
+    const L one = in_interval(q / bend);
+    const L other = in_interval(c[0] / q);
+    roots.first = select(roots.has_second, min(one, other), roots.first);
+    roots.second = max(one, other);
+    roots.has_first = roots.has_first | roots.has_second;
+  }
+  return roots;
+}
+
 /// Whether quartics have two pairs of complex roots, beyond doubt by rounding.
 /// Source   E. L. Rees, Graphical Discussion of the Roots of a Quartic Equation, 1922.
 template <class L>

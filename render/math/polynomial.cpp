@@ -183,11 +183,32 @@ HWY_INLINE std::uint64_t next_roots(const PolynomialColumns& p, Order order, Roo
   return found;
 }
 
+template <class Order>
+HWY_INLINE void find_few_roots(const PolynomialColumns& p, Order order, std::uint64_t who,
+                               RootColumns::Search& search) {
+  search.has_first = 0;
+  search.has_second = 0;
+  for (std::size_t i = 0; i < kRaysAtOnce; i += Lanes::kCount) {
+    const std::uint64_t of_vector = who >> i & kAllLanes;
+    if (of_vector == 0) continue;
+    Lanes c[kCoefficients<Order>];
+    for (std::size_t k = 0; k <= order; ++k) c[k] = load<Lanes>(p.c[k], i);
+    const FewRoots<Lanes> roots = few_roots(c, order, load<Lanes>(p.low, i), load<Lanes>(p.high, i));
+    store(roots.first, search.first, i);
+    store(roots.second, search.second, i);
+    search.has_first |= (bits(roots.has_first) & of_vector) << i;
+    search.has_second |= (bits(roots.has_second) & of_vector) << i;
+  }
+}
+
+void find_few_roots_of(const PolynomialColumns& p, std::uint64_t who, RootColumns::Search& search) {
+  if (p.order == 1) return find_few_roots(p, std::integral_constant<std::size_t, 1>(), who, search);
+  find_few_roots(p, std::integral_constant<std::size_t, 2>(), who, search);
+}
+
 std::uint64_t find_next_roots(const PolynomialColumns& p, RootColumns::Search& search, std::uint64_t who,
                               Column<double>& root) {
   switch (p.order) {
-    case 2:
-      return next_roots(p, std::integral_constant<std::size_t, 2>(), search, who, root);
     case 3:
       return next_roots(p, std::integral_constant<std::size_t, 3>(), search, who, root);
     case 4:
@@ -206,7 +227,25 @@ HWY_AFTER_NAMESPACE();
 #if HWY_ONCE
 namespace firstlight::render {
 
+HWY_EXPORT(find_few_roots_of);
 HWY_EXPORT(find_next_roots);
+
+template <class Order>
+bool PolynomialRoots::next_of_few(Order order, double& root) {
+  using namespace HWY_NAMESPACE;
+  if (halvings_left_ == kMostHalvings) {
+    One c[kCoefficients<Order>];
+    for (std::size_t i = 0; i <= order; ++i) c[i] = c_[i];
+    const FewRoots<One> roots = few_roots(c, order, One(waiting_[0].begin), One(waiting_[0].end));
+    halvings_left_ = 0;
+    waiting_count_ = 0;
+    if (roots.has_second.holds) waiting_[waiting_count_++].begin = roots.second.v;
+    if (roots.has_first.holds) waiting_[waiting_count_++].begin = roots.first.v;
+  }
+  if (waiting_count_ == 0) return false;
+  root = waiting_[--waiting_count_].begin;
+  return true;
+}
 
 template <class Order>
 bool PolynomialRoots::next(Order order, double& root) {
@@ -255,9 +294,9 @@ bool PolynomialRoots::next(double& root) {
   if (waiting_count_ == 0) return false;
   switch (c_.size() - 1) {
     case 1:
-      return next(std::integral_constant<std::size_t, 1>(), root);
+      return next_of_few(std::integral_constant<std::size_t, 1>(), root);
     case 2:
-      return next(std::integral_constant<std::size_t, 2>(), root);
+      return next_of_few(std::integral_constant<std::size_t, 2>(), root);
     case 3:
       return next(std::integral_constant<std::size_t, 3>(), root);
     case 4:
@@ -276,6 +315,10 @@ RootColumns::Search& RootColumns::of_thread() {
 
 RootColumns::RootColumns(const PolynomialColumns& polynomials, std::uint64_t who)
     : polynomials_(&polynomials), search_(&of_thread()) {
+  if (polynomials.order <= 2) {
+    HWY_DYNAMIC_DISPATCH(find_few_roots_of)(polynomials, who, *search_);
+    return;
+  }
   for (; who != 0; who &= who - 1) {
     const auto i = static_cast<std::size_t>(__builtin_ctzll(who));
     search_->waiting[i][0] = {polynomials.low[i], polynomials.high[i], 0.0, 0.0};
@@ -285,7 +328,19 @@ RootColumns::RootColumns(const PolynomialColumns& polynomials, std::uint64_t who
 }
 
 std::uint64_t RootColumns::next(std::uint64_t who, Column<double>& root) {
+  if (polynomials_->order <= 2) return next_of_few(who, root);
   return HWY_DYNAMIC_DISPATCH(find_next_roots)(*polynomials_, *search_, who, root);
+}
+
+std::uint64_t RootColumns::next_of_few(std::uint64_t who, Column<double>& root) {
+  const std::uint64_t found = who & (search_->has_first | search_->has_second);
+  for (std::uint64_t left = found; left != 0; left &= left - 1) {
+    const auto i = static_cast<std::size_t>(__builtin_ctzll(left));
+    const bool is_first = (search_->has_first >> i & 1U) != 0;
+    root[i] = is_first ? search_->first[i] : search_->second[i];
+    (is_first ? search_->has_first : search_->has_second) &= ~(std::uint64_t{1} << i);
+  }
+  return found;
 }
 
 double root_bound(std::span<const double> c) {

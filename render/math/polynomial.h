@@ -26,6 +26,7 @@ struct CurvePart {
 ///          1981] The coefficients are found anew of each interval, so they are as good as the curve's values there. No
 ///          root is lost or invented by cancellation, as happens to the closed formulas of Ferrari and Cardano: each
 ///          end of an interval has one sign. That a quartic has no root at all its discriminant says.
+///          Roots of lines and parabolas are found in closed form between ends of two signs, or on both sides of a vertex.
 /// Cost     Bounded: roots that cannot be told apart after kMostHalvings count as one or as none.
 class PolynomialRoots {
  public:
@@ -42,6 +43,8 @@ class PolynomialRoots {
  private:
   template <class Order>
   bool next(Order order, double& root);
+  template <class Order>
+  bool next_of_few(Order order, double& root);
 
   std::span<const double> c_;
   int halvings_left_ = kMostHalvings;
@@ -67,12 +70,15 @@ class RootColumns {
   std::uint64_t next(std::uint64_t who, Column<double>& root);
 
   struct Search {
+    Column<double> first, second;  ///< of lines and parabolas: all their roots
+    std::uint64_t has_first, has_second;
     std::array<std::array<CurvePart, PolynomialRoots::kMostHalvings + 1>, kRaysAtOnce> waiting;  ///< the first one last
     std::array<std::uint8_t, kRaysAtOnce> waiting_count;
     std::array<std::uint8_t, kRaysAtOnce> halvings_left;
   };
 
  private:
+  std::uint64_t next_of_few(std::uint64_t who, Column<double>& root);
   /// That of the calling thread: one search at a time.
   static Search& of_thread();
 

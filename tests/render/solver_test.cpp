@@ -71,6 +71,43 @@ TEST(PolynomialRoots, ARootWhereAnIntervalIsHalvedCountsOnce) {
   expect_roots(from_roots({0, 1, 2, 4}), -8, 8, {0, 1, 2, 4}, 1e-12);
 }
 
+TEST(PolynomialRoots, OfIntervalsThatTouchOneHasTheRootBetweenThem) {
+  std::mt19937 random(9);
+  std::uniform_real_distribution<double> between(-1.0, 1.0);
+  int at_a_root = 0;
+  for (int round = 0; round < 20000; ++round) {
+    std::vector<double> c(static_cast<std::size_t>(2 + round % 3));
+    for (double& number : c) number = between(random);
+    const std::vector<double> whole = roots_of(c, -1.0, 1.0);
+    std::vector<double> cuts = {between(random), 0.0};
+    cuts.insert(cuts.end(), whole.begin(), whole.end());
+    at_a_root += static_cast<int>(whole.size());
+    for (const double cut : cuts) {
+      if (!(cut > -1.0 && cut < 1.0)) continue;
+      const std::size_t parts = roots_of(c, -1.0, cut).size() + roots_of(c, cut, 1.0).size();
+      EXPECT_EQ(parts % 2, whole.size() % 2) << "at " << cut << " in round " << round;
+    }
+  }
+  EXPECT_GT(at_a_root, 5000);
+}
+
+TEST(PolynomialRoots, OfParabolasAreWhereTheyAreZero) {
+  std::mt19937 random(10);
+  std::uniform_real_distribution<double> between(-1.0, 1.0);
+  int two = 0;
+  for (int round = 0; round < 20000; ++round) {
+    const double tiny = round % 2 == 0 ? 1.0 : 1e-13;  // nearly a line
+    const std::vector<double> c = {between(random), between(random), tiny * between(random)};
+    const std::vector<double> roots = roots_of(c, -2.0, 2.0);
+    two += roots.size() == 2;
+    for (const double root : roots) EXPECT_NEAR((c[2] * root + c[1]) * root + c[0], 0.0, 1e-15);
+    const double low = (c[2] * -2.0 + c[1]) * -2.0 + c[0];
+    const double high = (c[2] * 2.0 + c[1]) * 2.0 + c[0];
+    EXPECT_EQ(roots.size() % 2 == 1, (low < 0.0) != (high < 0.0));
+  }
+  EXPECT_GT(two, 1000);
+}
+
 TEST(PolynomialRoots, FindsRandomRootsOfAllOrders) {
   std::mt19937 random(7);
   std::uniform_real_distribution<double> between(-2.0, 2.0);
