@@ -2,7 +2,8 @@
 // switches back and forth.
 //
 // Tables are looked up lane by lane: that is no slower than a vector's own gathering. Rows of four coefficients are
-// loaded for each lane, and turned into columns.
+// loaded for each lane, and turned into columns. Neighbours in a picture often lie in one cell of the lattice, whose
+// corners are then looked up once for all lanes.
 #if defined(FIRSTLIGHT_RENDER_MATH_NOISE_INL_H) == defined(HWY_TARGET_TOGGLE)
 #ifdef FIRSTLIGHT_RENDER_MATH_NOISE_INL_H
 #undef FIRSTLIGHT_RENDER_MATH_NOISE_INL_H
@@ -60,12 +61,35 @@ HWY_INLINE void step(const L& x, LatticeStep<L>& to) {
   to.from = x - whole;
 }
 
+/// Whether all lanes are between the same points.
+template <class L>
+HWY_INLINE bool is_one_cell(const LatticeStep<L>& x, const LatticeStep<L>& y, const LatticeStep<L>& z) {
+  unsigned differences = 0;
+  for (std::size_t i = 1; i < L::kCount; ++i) {
+    differences |= (x.point[i] ^ x.point[0]) | (y.point[i] ^ y.point[0]) | (z.point[i] ^ z.point[0]);
+  }
+  return differences == 0;
+}
+
+/// The corners of cells.
+template <class L>
+struct Corners {
+  std::int32_t entry[8][L::kCount];  ///< where the coefficients of the corners begin; of one cell, in its first lane
+  bool is_one;                       ///< all lanes are in one cell
+
+  HWY_INLINE void load(std::size_t k, const double* coefficients, L (&c)[4]) const {
+    if (!is_one) return load_rows(coefficients, entry[k], c);
+    const double* row = coefficients + entry[k][0];
+    for (std::size_t i = 0; i < 4; ++i) c[i] = row[i];
+  }
+};
+
 /// The corners of the lattice's cells about points.
 template <class L>
 struct LatticeCell {
-  std::int32_t entry[8][L::kCount];  ///< where the coefficients of the corners begin
-  L weight[8];                       ///< of each of them
-  L way_x[2], way_y[2], way_z[2];    ///< from corners on either side
+  Corners<L> corners;
+  L weight[8];                     ///< of each of them
+  L way_x[2], way_y[2], way_z[2];  ///< from corners on either side
 };
 
 template <class L>
@@ -75,14 +99,16 @@ HWY_INLINE void enter_cell(const Vec3Of<L>& p, LatticeCell<L>& cell) {
   step(p.x, x);
   step(p.y, y);
   step(p.z, z);
-  for (std::size_t i = 0; i < L::kCount; ++i) {
+  cell.corners.is_one = is_one_cell(x, y, z);
+  const std::size_t cells = cell.corners.is_one ? 1 : L::kCount;
+  for (std::size_t i = 0; i < cells; ++i) {
     const unsigned left = tables.permutation[x.point[i]], right = tables.permutation[x.point[i] + 1];
     const unsigned row = y.point[i], layer = z.point[i];
     const unsigned column[4] = {tables.permutation[left ^ row], tables.permutation[right ^ row],
                                 tables.permutation[left ^ (row + 1)], tables.permutation[right ^ (row + 1)]};
     for (unsigned k = 0; k < 4; ++k) {
-      cell.entry[k][i] = tables.entry[column[k] ^ layer];
-      cell.entry[k + 4][i] = tables.entry[column[k] ^ (layer + 1)];
+      cell.corners.entry[k][i] = tables.entry[column[k] ^ layer];
+      cell.corners.entry[k + 4][i] = tables.entry[column[k] ^ (layer + 1)];
     }
   }
   const L to_x = s_curve(x.from), to_y = s_curve(y.from), to_z = s_curve(z.from);
@@ -103,7 +129,7 @@ HWY_INLINE void enter_cell(const Vec3Of<L>& p, LatticeCell<L>& cell) {
 template <class L>
 HWY_INLINE L corner_share(const LatticeCell<L>& cell, std::size_t k, const double* coefficients) {
   L c[4];
-  load_rows(coefficients, cell.entry[k], c);
+  cell.corners.load(k, coefficients, c);
   return cell.weight[k] *
          (c[0] * 0.5 + c[1] * cell.way_x[k & 1] + c[2] * cell.way_y[k >> 1 & 1] + c[3] * cell.way_z[k >> 2]);
 }
@@ -140,15 +166,17 @@ HWY_INLINE L gradient_noise(const Vec3Of<L>& p) {
   gradient_step(p.x, x);
   gradient_step(p.y, y);
   gradient_step(p.z, z);
-  std::int32_t entry[8][L::kCount];
-  for (std::size_t i = 0; i < L::kCount; ++i) {
+  Corners<L> corners;
+  corners.is_one = is_one_cell(x, y, z);
+  const std::size_t cells = corners.is_one ? 1 : L::kCount;
+  for (std::size_t i = 0; i < cells; ++i) {
     constexpr unsigned kWithin = GradientTables::kSize - 1;
     const unsigned columns[2] = {tables.permutation[x.point[i]], tables.permutation[(x.point[i] + 1) & kWithin]};
     const unsigned rows[2] = {y.point[i], (y.point[i] + 1) & kWithin};
     const unsigned layers[2] = {z.point[i], (z.point[i] + 1) & kWithin};
     for (unsigned k = 0; k < 8; ++k) {
       const unsigned gradient = tables.permutation[columns[k & 1] + rows[k >> 1 & 1]] + layers[k >> 2];
-      entry[k][i] = static_cast<std::int32_t>(4 * gradient);
+      corners.entry[k][i] = static_cast<std::int32_t>(4 * gradient);
     }
   }
   const L way_x[2] = {x.from, x.from - 1.0}, way_y[2] = {y.from, y.from - 1.0}, way_z[2] = {z.from, z.from - 1.0};
@@ -158,7 +186,7 @@ HWY_INLINE L gradient_noise(const Vec3Of<L>& p) {
     L end[2];
     for (std::size_t side = 0; side < 2; ++side) {
       L g[4];
-      load_rows(tables.gradients.front().data(), entry[2 * k + side], g);
+      corners.load(2 * k + side, tables.gradients.front().data(), g);
       end[side] = way_x[side] * g[0] + way_y[k & 1] * g[1] + way_z[k >> 1] * g[2];
     }
     edge[k] = blend(to_x, end[0], end[1]);

@@ -12,7 +12,7 @@ namespace {
 constexpr std::size_t kHugePage = std::size_t{2} << 20;  // of x86-64 and of most ARM systems
 /// Systems have some huge pages at hand. Of a virtual machine the host has to find them first, if they are many, and takes
 /// several times as long for them as for small ones.
-constexpr std::size_t kMostInHugePages = 16 * kHugePage;
+constexpr std::size_t kMostInHugePages = 64 * kHugePage;
 
 }  // namespace
 

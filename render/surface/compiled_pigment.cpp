@@ -15,18 +15,14 @@ FilteredColor blend(const FilteredColor& a, const FilteredColor& b, double t) {
           blend(a.transmit, b.transmit, t)};
 }
 
-FilteredColor look_up(const ColorMap& map, double value) {
-  const MapPlace place = place_in_map(value, static_cast<std::uint32_t>(map.size()),
-                                      [&](std::uint32_t i) { return stored_position(map[i].position); });
-  if (place.below == place.above) return map[place.above].color;
-  return blend(map[place.below].color, map[place.above].color, place.fraction);
-}
-
 }  // namespace
 
 CompiledPigment::CompiledPigment(const Pigment& source, const PatternWorld& world)
     : source_(&source), even_(even_color(source, world.quick_colors)), pattern_(*source.pattern, world) {
-  if (!source.pattern->pigments) return;
+  if (!source.pattern->pigments) {
+    if (!is_plain() && pattern_.has_places() && pattern_.image() == nullptr) map_ = ColorMapTable(map_of(source));
+    return;
+  }
   for (const MapEntry<Pigment>& entry : source.pattern->pigments->entries) entries_.emplace_back(entry.value, world);
 }
 
@@ -65,8 +61,7 @@ void CompiledPigment::mapped(const SurfacePoints& points, ColorColumns& colors) 
   Column<double> places;
   pattern_.to_pattern(points, there);
   pattern_.places(there, points, places);
-  const ColorMap& map = map_of(*source_);
-  for (std::size_t i = 0; i < points.size; ++i) colors.set(i, look_up(map, places[i]));
+  map_.colors(places, points.size, colors);
 }
 
 void CompiledPigment::pictured(const SurfacePoints& points, ColorColumns& colors) const {

@@ -1,5 +1,7 @@
 #pragma once
 
+#include "render/surface/color_columns.h"
+#include "render/surface/color_map_table.h"
 #include "render/surface/compiled_pattern.h"
 #include "render/texture/pigment.h"
 
@@ -7,22 +9,6 @@
 #include <vector>
 
 namespace firstlight::render {
-
-/// Colours side by side.
-struct ColorColumns {
-  Columns3<float> rgb;
-  Column<float> filter;
-  Column<float> transmit;
-  std::uint64_t missing =
-      0;  ///< bits of the points at which the pigment has nothing: beside a picture that is laid on once
-
-  void set(std::size_t i, const FilteredColor& color) {
-    rgb.set(i, color.rgb);
-    filter[i] = color.filter;
-    transmit[i] = color.transmit;
-  }
-  FilteredColor color(std::size_t i) const { return {rgb.vector(i), filter[i], transmit[i]}; }
-};
 
 /// A pigment ready to be asked for colours.
 ///
@@ -49,6 +35,7 @@ class CompiledPigment {
   const Pigment* source_;
   const FilteredColor* even_;  ///< null: it is patterned
   CompiledPattern pattern_;
+  ColorMapTable map_;                     ///< of a map of colours
   std::vector<CompiledPigment> entries_;  ///< of a map of pigments
 };
 
