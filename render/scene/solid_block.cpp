@@ -7,6 +7,7 @@
 #include "render/scene/solid_structure.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <utility>
@@ -42,7 +43,8 @@ class Solid::Meeting {
         hidden_bit_(hidden_bit),
         opaque_parts_(question.opaque_parts),
         slots_(slots),
-        visits_(visits_of_thread()) {
+        visits_(visits_of_thread()),
+        chosen_(chosen_of_thread()) {
     visits_.clear();
   }
 
@@ -64,6 +66,10 @@ class Solid::Meeting {
     thread_local std::vector<Visit> visits;
     return visits;
   }
+  static std::array<std::uint64_t, Slots::kMost>& chosen_of_thread() {
+    thread_local std::array<std::uint64_t, Slots::kMost> chosen;
+    return chosen;
+  }
 
   void gather(const Solid& solid, std::uint64_t who, const DepthWindow* nearest_only);
   void gather_shape(const Solid& solid, std::uint64_t who, const DepthWindow* nearest_only);
@@ -81,6 +87,7 @@ class Solid::Meeting {
   const std::vector<bool>* opaque_parts_;
   Slots& slots_;
   std::vector<Visit>& visits_;
+  std::array<std::uint64_t, Slots::kMost>& chosen_;  ///< of each slot, the rays whose crossing here is being looked at
 };
 
 /// Adds slots of all crossings that may belong to the solid's surface, and its visit.
@@ -183,7 +190,8 @@ std::uint64_t Solid::Meeting::reaching(const Solid& bound, const Box3& box, std:
 void Solid::Meeting::resolve(std::size_t visit, std::size_t first, std::uint64_t who, const DepthWindow& window,
                              NearestCrossings& nearest) {
   const Solid& solid = *visits_[visit].solid;
-  find_nearest(slots_, first, who, window, nearest);
+  SlotSearch search(slots_, first);
+  search.find(who, window, nearest);
   if (solid.is_plain() || (solid.kind == Kind::shape && solid.structure_->clips.empty())) return;
   std::uint64_t belonging = 0;
   std::uint64_t open = nearest.rays;
@@ -204,9 +212,9 @@ void Solid::Meeting::resolve(std::size_t visit, std::size_t first, std::uint64_t
     if (open == 0) break;
     for (std::uint64_t bits = open; bits != 0; bits &= bits - 1) {
       const auto i = static_cast<std::size_t>(__builtin_ctzll(bits));
-      slots_[looked_at->slot_of(i)].rays &= ~(std::uint64_t{1} << i);
+      search.leave_out(looked_at->slot_of(i), i);
     }
-    find_nearest(slots_, first, open, window, next);
+    search.find(open, window, next);
     looked_at = &next;
     open = next.rays;
   }
@@ -215,10 +223,11 @@ void Solid::Meeting::resolve(std::size_t visit, std::size_t first, std::uint64_t
 
 /// Tells the slots from `first` on which of the rays in `who` look at them.
 void Solid::Meeting::choose(const NearestCrossings& nearest, std::uint64_t who, std::size_t first) {
-  for (std::size_t s = first; s < slots_.size(); ++s) slots_[s].chosen = 0;
+  std::fill(chosen_.begin() + static_cast<std::ptrdiff_t>(first),
+            chosen_.begin() + static_cast<std::ptrdiff_t>(slots_.size()), 0);
   for (std::uint64_t bits = who; bits != 0; bits &= bits - 1) {
     const auto i = static_cast<std::size_t>(__builtin_ctzll(bits));
-    slots_[nearest.slot_of(i)].chosen |= std::uint64_t{1} << i;
+    chosen_[nearest.slot_of(i)] |= std::uint64_t{1} << i;
   }
 }
 
@@ -232,7 +241,7 @@ std::uint64_t Solid::Meeting::survivors(std::size_t visit, const Columns3<double
     left = 0;
     for (std::size_t v = visit + 1; v < visits_[visit].after; v = visits_[v].after) {
       std::uint64_t own = 0;
-      for (std::size_t s = visits_[v].first; s < visits_[v].end; ++s) own |= slots_[s].chosen;
+      for (std::size_t s = visits_[v].first; s < visits_[v].end; ++s) own |= chosen_[s];
       visits_[v].own = own & who;
       if (visits_[v].own != 0) left |= survivors(v, points, visits_[v].own);
     }

@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <span>
 #include <utility>
 
 #ifndef FIRSTLIGHT_RENDER_SHAPE_SLOTS
@@ -29,14 +30,8 @@ HWY_BEFORE_NAMESPACE();
 namespace firstlight::render {
 namespace HWY_NAMESPACE {
 
-void nearest_in_slots(const Slots& slots, std::size_t first, std::uint64_t who, const DepthWindow& window,
+void nearest_in_slots(std::span<const SlotInQuestion> asked, std::uint64_t who, const DepthWindow& window,
                       NearestCrossings& nearest) {
-  SlotInQuestion asked[Slots::kMost];
-  std::size_t count = 0;
-  for (std::size_t s = first; s < slots.size(); ++s) {
-    const std::uint64_t rays = slots[s].rays & who;
-    if (rays != 0) asked[count++] = {&slots[s].depth, rays, static_cast<double>(s)};
-  }
   nearest.rays = 0;
   for (std::size_t i = 0; i < kRaysAtOnce; i += Lanes::kCount) {
     const std::uint64_t of_vector = who >> i & kAllLanes;
@@ -44,12 +39,13 @@ void nearest_in_slots(const Slots& slots, std::size_t first, std::uint64_t who, 
     const auto low = load<Lanes>(window.low, i);
     auto best = load<Lanes>(window.high, i);
     Lanes slot = -1.0;
-    for (std::size_t a = 0; a < count; ++a) {
-      const auto depth = load<Lanes>(*asked[a].depth, i);
-      const auto has = Lanes::mask_of(static_cast<unsigned>(asked[a].rays >> i & kAllLanes));
-      const auto nearer = has & (depth > low) & (depth <= best);
+    for (const SlotInQuestion& here : asked) {
+      const std::uint64_t of_slot = here.rays >> i & kAllLanes;
+      if (of_slot == 0) continue;
+      const auto depth = load<Lanes>(*here.depth, i);
+      const auto nearer = Lanes::mask_of(static_cast<unsigned>(of_slot)) & (depth > low) & (depth <= best);
       best = select(nearer, depth, best);
-      slot = select(nearer, Lanes(asked[a].number), slot);
+      slot = select(nearer, Lanes(here.number), slot);
     }
     store(best, nearest.depth, i);
     store(slot, nearest.slot, i);
@@ -66,9 +62,27 @@ namespace firstlight::render {
 
 HWY_EXPORT(nearest_in_slots);
 
-void find_nearest(const Slots& slots, std::size_t first, std::uint64_t who, const DepthWindow& window,
-                  NearestCrossings& nearest) {
-  HWY_DYNAMIC_DISPATCH(nearest_in_slots)(slots, first, who, window, nearest);
+SlotSearch::SlotSearch(const Slots& slots, std::size_t first)
+    : slots_(slots), first_(first), count_(slots.size() - first) {
+  for (std::size_t i = 0; i < count_; ++i) {
+    asked_[i] = static_cast<std::uint16_t>(i);
+    rays_[i] = slots[first + i].rays;
+  }
+}
+
+void SlotSearch::find(std::uint64_t who, const DepthWindow& window, NearestCrossings& nearest) {
+  SlotInQuestion asked[Slots::kMost];
+  std::size_t count = 0;
+  for (std::size_t i = 0; i < count_; ++i) {
+    const std::uint16_t offset = asked_[i];
+    const std::uint64_t rays = rays_[offset] & who;
+    if (rays == 0) continue;
+    const std::size_t slot = first_ + offset;
+    asked[count] = {&slots_[slot].depth, rays, static_cast<double>(slot)};
+    asked_[count++] = offset;
+  }
+  count_ = count;
+  HWY_DYNAMIC_DISPATCH(nearest_in_slots)(std::span(asked, count), who, window, nearest);
 }
 
 Slots& Slots::of_thread() {

@@ -20,8 +20,7 @@ struct Slot {
   };
 
   Column<double> depth;
-  std::uint64_t rays;    ///< bits of those that have a crossing here
-  std::uint64_t chosen;  ///< of them, those whose crossing here is being looked at
+  std::uint64_t rays;  ///< bits of those that have a crossing here
   const Shape* shape;
   std::uint32_t part;
   std::uint32_t face;  ///< of all, unless each has its own
@@ -134,12 +133,28 @@ struct NearestCrossings {
   Column<double> depth;
   Column<double> slot;  ///< its number
 
-  std::size_t slot_of(std::size_t ray) const { return static_cast<std::size_t>(slot[ray]); }
+  std::size_t slot_of(std::size_t ray) const { return static_cast<std::size_t>(static_cast<std::int64_t>(slot[ray])); }
 };
 
-/// Finds the nearest crossing of each ray in `who` within the window, in the slots from `first` on; the last of equal
-/// depths.
-void find_nearest(const Slots& slots, std::size_t first, std::uint64_t who, const DepthWindow& window,
-                  NearestCrossings& nearest);
+/// Looks for the nearest crossings of rays in slots, again and again.
+class SlotSearch {
+ public:
+  /// In the slots from `first` on. Pre: they stay as they are meanwhile.
+  SlotSearch(const Slots& slots, std::size_t first);
+
+  /// Finds the nearest crossing of each ray in `who` within the window; the last of equal depths.
+  /// Pre: all of `who` were asked for before, if any were.
+  void find(std::uint64_t who, const DepthWindow& window, NearestCrossings& nearest);
+  /// The ray's crossing in the slot is not found any more.
+  void leave_out(std::size_t slot, std::size_t ray) { rays_[slot - first_] &= ~(std::uint64_t{1} << ray); }
+
+ private:
+  // Slots lie far apart in memory, so what is looked at in each of them lies here side by side.
+  const Slots& slots_;
+  std::size_t first_;
+  std::size_t count_;                              ///< of asked_
+  std::array<std::uint16_t, Slots::kMost> asked_;  ///< slots in which some ray may be found, counted from first_
+  std::array<std::uint64_t, Slots::kMost> rays_;   ///< of each slot from first_ on
+};
 
 }  // namespace firstlight::render

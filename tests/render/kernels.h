@@ -196,7 +196,7 @@ class KernelList {
                    Slots& slots = Slots::of_thread();
                    shape->meet_block(*directed, all, nullptr, slots);
                    NearestCrossings nearest;
-                   find_nearest(slots, 0, all, DepthWindow{*low, *high}, nearest);
+                   SlotSearch(slots, 0).find(all, DepthWindow{*low, *high}, nearest);
                    results.of[0] = nearest.depth;
                    results.of[1] = nearest.slot;
                    const std::uint64_t inside = shape->inside_block(at, all);

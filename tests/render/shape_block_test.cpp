@@ -80,7 +80,7 @@ TEST(ShapeBlocks, HaveTheNearestCrossingsOfSingleRays) {
         Slots& slots = Slots::of_thread();
         named.shape->meet_block(rays, kSome, &window, slots);
         NearestCrossings nearest;
-        find_nearest(slots, 0, kSome, window, nearest);
+        SlotSearch(slots, 0).find(kSome, window, nearest);
         for (std::size_t i = 0; i < kRaysAtOnce; ++i) {
           std::vector<Crossing> alone;
           if ((kSome >> i & 1) != 0) named.shape->nearest(rays.ray(i), low[i], high[i], alone);
