@@ -1,8 +1,9 @@
 #include "render/surface/compiled_normal.h"
 
+#include "render/math/scratch.h"
+
 #include <array>
 #include <bit>
-#include <memory>
 
 namespace firstlight::render {
 namespace {
@@ -39,7 +40,7 @@ CompiledNormal::CompiledNormal(const Normal& source, const PatternWorld& world, 
 void CompiledNormal::tilt(const SurfacePoints& points, const Transform* placement, Columns3<double>& normals) const {
   const Patterning& pattern = pattern_.source();
   if (!entries_.empty() && pattern.kind == PatternKind::uv_mapping) {
-    const auto own = std::make_unique_for_overwrite<SurfacePoints>();
+    const Scratch<SurfacePoints> own;
     to_own_coordinates(points, *own);
     entries_.front().tilt(*own, nullptr, normals);
     return normalize_all(points.size, normals);
@@ -64,7 +65,7 @@ void CompiledNormal::tilt(const SurfacePoints& points, const Transform* placemen
 
 void CompiledNormal::tilt_by_map(const SurfacePoints& points, const Columns3<double>& there,
                                  Columns3<double>& normals) const {
-  const auto picked = std::make_unique_for_overwrite<SurfacePoints>();
+  const Scratch<SurfacePoints> picked;
   const auto& map = source_->normals->entries;
   Column<double> values;
   pattern_.places(there, points, values);
@@ -100,7 +101,7 @@ void CompiledNormal::tilt_by_map(const SurfacePoints& points, const Columns3<dou
 
 void CompiledNormal::tilt_by_average(const SurfacePoints& points, const Columns3<double>& there,
                                      Columns3<double>& normals) const {
-  const auto moved = std::make_unique_for_overwrite<SurfacePoints>();
+  const Scratch<SurfacePoints> moved;
   pick(points, there, points.all(), *moved);
   const Columns3<double> start = normals;
   for (std::size_t i = 0; i < points.size; ++i) normals.set(i, Vec3(0.0));

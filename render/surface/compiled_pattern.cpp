@@ -1,5 +1,6 @@
 #include "render/surface/compiled_pattern.h"
 
+#include "render/math/scratch.h"
 #include "render/surface/compiled_pigment.h"
 
 #include <bit>
@@ -33,8 +34,8 @@ void CompiledPattern::places(const Columns3<double>& there, const SurfacePoints&
 }
 
 void CompiledPattern::greys(const Columns3<double>& there, const SurfacePoints& points, Column<double>& values) const {
-  const auto moved = std::make_unique_for_overwrite<SurfacePoints>();
-  const auto found = std::make_unique_for_overwrite<ColorColumns>();
+  const Scratch<SurfacePoints> moved;
+  const Scratch<ColorColumns> found;
   pick(points, there, points.all(), *moved);
   pigment_->colors(*moved, *found);
   for (std::size_t i = 0; i < points.size; ++i) {

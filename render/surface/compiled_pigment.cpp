@@ -1,7 +1,8 @@
 #include "render/surface/compiled_pigment.h"
 
+#include "render/math/scratch.h"
+
 #include <bit>
-#include <memory>
 
 namespace firstlight::render {
 namespace {
@@ -32,7 +33,7 @@ void CompiledPigment::colors(const SurfacePoints& points, ColorColumns& colors) 
   if (is_plain()) {
     for (std::size_t i = 0; i < points.size; ++i) colors.set(i, *even_);
   } else if (kind == PatternKind::uv_mapping) {
-    const auto own = std::make_unique_for_overwrite<SurfacePoints>();
+    const Scratch<SurfacePoints> own;
     to_own_coordinates(points, *own);
     entries_.front().colors(*own, colors);
   } else if (pattern_.image() != nullptr) {
@@ -77,8 +78,8 @@ void CompiledPigment::pictured(const SurfacePoints& points, ColorColumns& colors
 
 // Entries are asked where the warps lead, turbulence included.
 void CompiledPigment::averaged(const SurfacePoints& points, ColorColumns& colors) const {
-  const auto moved = std::make_unique_for_overwrite<SurfacePoints>();
-  const auto found = std::make_unique_for_overwrite<ColorColumns>();
+  const Scratch<SurfacePoints> moved;
+  const Scratch<ColorColumns> found;
   Columns3<double> there;
   pattern_.to_pattern(points, there);
   pick(points, there, points.all(), *moved);
@@ -102,9 +103,9 @@ void CompiledPigment::averaged(const SurfacePoints& points, ColorColumns& colors
 }
 
 void CompiledPigment::blended(const SurfacePoints& points, ColorColumns& colors) const {
-  const auto picked = std::make_unique_for_overwrite<SurfacePoints>();
-  const auto found = std::make_unique_for_overwrite<ColorColumns>();
-  const auto above = std::make_unique_for_overwrite<ColorColumns>();
+  const Scratch<SurfacePoints> picked;
+  const Scratch<ColorColumns> found;
+  const Scratch<ColorColumns> above;
   Columns3<double> there;
   Column<double> values;
   pattern_.to_pattern(points, there);

@@ -1,5 +1,6 @@
 #include "render/surface/sky.h"
 
+#include "render/math/scratch.h"
 #include "render/math/transform_columns.h"
 
 #include <algorithm>
@@ -44,8 +45,8 @@ void Sky::lay(const Columns3<double>& directions, std::size_t count, Columns3<fl
               std::span<Above> above) const {
   for (std::size_t i = 0; i < count; ++i) colors.set(i, Rgb(0.0f));
   if (pigments_.empty()) return;
-  const auto points = std::make_unique_for_overwrite<SurfacePoints>();
-  const auto found = std::make_unique_for_overwrite<ColorColumns>();
+  const Scratch<SurfacePoints> points;
+  const Scratch<ColorColumns> found;
   points->size = count;
   points->on_surface = false;
   inverse_points(sphere_->placement, directions, 0, count, points->at);

@@ -1,6 +1,7 @@
 #include "render/surface/surface_table.h"
 
 #include "render/lanes/math.h"
+#include "render/math/scratch.h"
 
 #include <algorithm>
 #include <bit>
@@ -182,7 +183,7 @@ void SurfaceTable::unfold(std::uint32_t texture, const SurfacePoints& points, Co
   Columns3<double> at;
   for (std::size_t i = 0; i < points.size; ++i) at.set(i, to_texture.point(points.at.vector(i)));
   if (root.coat != nullptr) return add_coat(root, way, points, at, lanes, shares, coats);
-  const auto local = std::make_unique_for_overwrite<SurfacePoints>();
+  const Scratch<SurfacePoints> local;
   pick(points, at, points.all(), *local);
   unfold_node(root, way, *local, lanes, shares, coats);
 }
@@ -209,13 +210,13 @@ void SurfaceTable::unfold_node(const Node& node, const Way& way, const SurfacePo
   inner.spaces.push_back({way.placement, &pattern.source().warps, node.keeps_length});
   inner.placement = nullptr;
   if (kind == PatternKind::uv_mapping) {
-    const auto own = std::make_unique_for_overwrite<SurfacePoints>();
+    const Scratch<SurfacePoints> own;
     to_own_coordinates(points, *own);
     return unfold_node(nodes_[node.entries.front().second], inner, *own, lanes, shares, coats);
   }
   Columns3<double> there;
   pattern.to_pattern(points, there);
-  const auto picked = std::make_unique_for_overwrite<SurfacePoints>();
+  const Scratch<SurfacePoints> picked;
   std::array<std::uint8_t, kRaysAtOnce> picked_lanes;
   Column<double> picked_shares;
   if (kind == PatternKind::average) {
@@ -279,7 +280,7 @@ void SurfaceTable::look(const SurfaceLayer& layer, CoatPoints& coat, LayerLook& 
 
 /// Multiplies light[k] by what passes the coat at its point k.
 void SurfaceTable::filter_by(CoatPoints& coat, std::span<Rgb> light, double caustics) const {
-  const auto found = std::make_unique_for_overwrite<LayerLook>();
+  const Scratch<LayerLook> found;
   for (const SurfaceLayer& layer : layers(*coat.coat)) {
     if (layer.pigment != nullptr) layer.pigment->colors(coat.points, found->colors);
     for (std::size_t k = 0; k < coat.points.size; ++k) {

@@ -2,6 +2,7 @@
 
 #include "render/camera/lens.h"
 #include "render/math/pixel_grid.h"
+#include "render/math/scratch.h"
 #include "render/math/unit_columns.h"
 #include "render/scene/scene.h"
 #include "render/surface/compiled_normal.h"
@@ -67,19 +68,20 @@ void PrimaryRays::append_block(std::span<const PrimaryPlace> places, PrimaryBatc
       batch.dark.push_back(places[i].sample);
       continue;
     }
-    append_ray(rays, i, places[i].sample, 1.0f, batch);
+    append_ray(rays, i, places[i].sample, batch);
   }
 }
 
-void PrimaryRays::append_ray(const CameraRays& rays, std::size_t i, std::uint32_t sample, float share,
-                             PrimaryBatch& batch) const {
+RayTask& PrimaryRays::append_ray(const CameraRays& rays, std::size_t i, std::uint32_t sample,
+                                 PrimaryBatch& batch) const {
   const Ray& ray = batch.rays.emplace_back(Ray{rays.origin.vector(i), rays.direction.vector(i)});
   RayTask& task = batch.tasks.emplace_back(unmade_);
-  task.origin = ray.origin;
-  task.medium = medium_.of(ray.origin);
   task.sample = sample;
-  // Pruning goes by a ray's way, not by how many share the place.
-  task.set_weight(Rgb(share), 1.0f);
+  if (ray.origin != unmade_.origin) {
+    task.origin = ray.origin;
+    task.medium = medium_.of(ray.origin);
+  }
+  return task;
 }
 
 void PrimaryRays::append_shared(const PicturePlaces& in_picture, std::span<const PrimaryPlace> places,
@@ -96,7 +98,8 @@ void PrimaryRays::append_shared(const PicturePlaces& in_picture, std::span<const
     if (counts[i] == 0) batch.dark.push_back(places[i].sample);
     for (const CameraRays& rays : all) {
       if ((rays.missing >> i & 1u) != 0) continue;
-      append_ray(rays, i, places[i].sample, 1.0f / static_cast<float>(counts[i]), batch);
+      // Pruning goes by a ray's way, not by how many share the place.
+      append_ray(rays, i, places[i].sample, batch).set_weight(Rgb(1.0f / static_cast<float>(counts[i])), 1.0f);
     }
     if (counts[i] > 1) batch.shared.push_back({batch.tasks.back(), counts[i]});
   }
@@ -104,7 +107,7 @@ void PrimaryRays::append_shared(const PicturePlaces& in_picture, std::span<const
 
 // The pattern lies in the projection's own coordinates, at z = 0, and the directions are its normals. [POV-Ray 3.7]
 void PrimaryRays::tilt(std::size_t count, CameraRays& rays) const {
-  const auto points = std::make_unique_for_overwrite<SurfacePoints>();
+  const Scratch<SurfacePoints> points;
   points->on_surface = false;
   points->size = count;
   for (std::size_t i = 0; i < count; ++i) {

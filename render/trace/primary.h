@@ -70,14 +70,14 @@ class PrimaryRays {
   /// The same where places have several rays.
   void append_shared(const PicturePlaces& in_picture, std::span<const PrimaryPlace> places, PrimaryBatch& batch) const;
   /// Pre: the rays' directions have unit length.
-  void append_ray(const CameraRays& rays, std::size_t i, std::uint32_t sample, float share, PrimaryBatch& batch) const;
+  RayTask& append_ray(const CameraRays& rays, std::size_t i, std::uint32_t sample, PrimaryBatch& batch) const;
   /// Turns the rays by the camera's normal.
   void tilt(std::size_t count, CameraRays& rays) const;
 
   const View view_;
   ProjectionPtr projection_;
   StartMedium medium_;
-  std::unique_ptr<const Lens> lens_;  ///< null: none
+  std::unique_ptr<const Lens> lens_;              ///< null: none
   std::unique_ptr<const CompiledNormal> normal_;  ///< null: none
   RayTask unmade_;
 };
