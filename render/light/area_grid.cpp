@@ -5,6 +5,22 @@
 #include <cstdint>
 
 namespace firstlight::render {
+namespace {
+
+/// How far along its axes a point of a light is that is so many steps from the first.
+Vec2 along_axes(const Light& light, const Vec2& steps) {
+  const auto centred = [](double along, int size) { return size > 1 ? along / (size - 1) - 0.5 : 0.0; };
+  Vec2 along(centred(steps.x, light.area->size1), centred(steps.y, light.area->size2));
+  if (light.circular) {
+    // A square ring becomes a round one. Where the middle of the grid is a point, it must not be the middle itself.
+    constexpr double kOffCentre = 0.001;
+    along += Vec2(kOffCentre);
+    along *= std::max(std::abs(along.x), std::abs(along.y)) / std::sqrt(along.x * along.x + along.y * along.y);
+  }
+  return along;
+}
+
+}  // namespace
 
 AreaGrid::AreaGrid(const Light& light, const Vec3& lit_point, Use use)
     : light_(light),
@@ -25,28 +41,24 @@ AreaGrid::AreaGrid(const Light& light, const Vec3& lit_point, Use use)
 }
 
 Vec3 AreaGrid::place(int u, int v) const {
-  double along1 = u;
-  double along2 = v;
+  Vec2 steps(u, v);
   if (light_.jitter) {
     const auto point =
         static_cast<std::uint64_t>(u) * static_cast<std::uint64_t>(area_.size2) + static_cast<std::uint64_t>(v);
     const std::uint64_t number = 4 * point + (use_ == Use::illumination ? 2 : 0);
-    along1 += draws_[number] - 0.5;
-    along2 += draws_[number + 1] - 0.5;
+    steps += Vec2(draws_[number] - 0.5, draws_[number + 1] - 0.5);
   }
-  const auto centred = [](double along, int size) { return size > 1 ? along / (size - 1) - 0.5 : 0.0; };
-  along1 = centred(along1, area_.size1);
-  along2 = centred(along2, area_.size2);
-  if (light_.circular) {
-    // A square ring becomes a round one. Where the middle of the grid is a point, it must not be the middle itself.
-    constexpr double kOffCentre = 0.001;
-    along1 += kOffCentre;
-    along2 += kOffCentre;
-    const double factor = std::max(std::abs(along1), std::abs(along2)) / std::sqrt(along1 * along1 + along2 * along2);
-    along1 *= factor;
-    along2 *= factor;
+  return place(along_axes(light_, steps));
+}
+
+AreaTable::AreaTable(const Light& light) {
+  const AreaLight& area = *light.area;
+  const std::size_t points = static_cast<std::size_t>(area.size1) * static_cast<std::size_t>(area.size2);
+  if (light.jitter || points > kMostPoints) return;
+  along_.reserve(points);
+  for (int u = 0; u < area.size1; ++u) {
+    for (int v = 0; v < area.size2; ++v) along_.push_back(along_axes(light, Vec2(u, v)));
   }
-  return light_.position + (axis1_ * along1 + axis2_ * along2);
 }
 
 AreaQuarters quarters_of(const AreaRectangle& r) {

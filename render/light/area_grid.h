@@ -5,6 +5,7 @@
 
 #include <array>
 #include <cstddef>
+#include <vector>
 
 namespace firstlight::render {
 
@@ -20,6 +21,8 @@ class AreaGrid {
 
   /// The place of the point in column u and row v. Pre: u < size1, v < size2.
   Vec3 place(int u, int v) const;
+  /// The place that lies so far along the axes, as AreaTable tells.
+  Vec3 place(const Vec2& along) const { return light_.position + (axis1_ * along.x + axis2_ * along.y); }
 
  private:
   const Light& light_;
@@ -28,6 +31,22 @@ class AreaGrid {
   Vec3 axis2_;
   HashedDraws draws_;
   Use use_;
+};
+
+/// How far along the axes the points of an area light are that has no jitter, whatever is lit.
+class AreaTable {
+ public:
+  /// Pre: light.area.
+  explicit AreaTable(const Light& light);
+
+  /// Whether it has none: there are too many points, or each lit point has its own.
+  bool empty() const { return along_.empty(); }
+  /// Row after row of a column, column after column.
+  const Vec2& operator[](std::size_t number) const { return along_[number]; }
+
+ private:
+  static constexpr std::size_t kMostPoints = std::size_t{1} << 14;
+  std::vector<Vec2> along_;
 };
 
 /// A rectangle of grid points, its corners included, that is looked at by its corners alone or in quarters.

@@ -3,10 +3,41 @@
 #include "render/light/arrival.h"
 #include "render/math/interrupt.h"
 
+#undef HWY_TARGET_INCLUDE
+#define HWY_TARGET_INCLUDE "render/trace/area_shadow.cpp"
+#include <hwy/foreach_target.h>
+
+#include "render/lanes/lanes-inl.h"
+
+#include <algorithm>
 #include <memory>
 #include <utility>
 
+HWY_BEFORE_NAMESPACE();
 namespace firstlight::render {
+namespace HWY_NAMESPACE {
+
+/// The rays' directions to the places and how far those are, but for rays in `aimed`.
+void aim_at_places(const Columns3<double>& places, std::uint64_t aimed, RayBlock& rays) {
+  for (std::size_t i = 0; i < rays.size; i += Lanes::kCount) {
+    const Vec3Of<Lanes> way = load3<Lanes>(places, i) - load3<Lanes>(rays.origin, i);
+    const Lanes distance = length(way);
+    const auto stay = Lanes::mask_of(static_cast<unsigned>(aimed >> i & kAllLanes));
+    const Lanes inverse = select(distance > 0.0, Lanes(1.0) / distance, Lanes(0.0));
+    store3(select<Lanes>(stay, load3<Lanes>(rays.direction, i), way * inverse), rays.direction, i);
+    store(select(stay, load<Lanes>(rays.max_depth, i), distance - kShadowGap), rays.max_depth, i);
+  }
+}
+
+}  // namespace HWY_NAMESPACE
+}  // namespace firstlight::render
+HWY_AFTER_NAMESPACE();
+
+#if HWY_ONCE
+namespace firstlight::render {
+
+HWY_EXPORT(aim_at_places);
+
 namespace {
 
 /// Points of the grids of feelers that are worked on together; a larger grid is alone.
@@ -28,6 +59,13 @@ Rgb arriving_at(const Light& light, const Vec3& point) {
 }
 
 }  // namespace
+
+AreaShadow::AreaShadow(const Scene& scene, Shadow& shadow) : scene_(scene), shadow_(shadow) {
+  for (const Light& light : scene.lights) {
+    table_of_.push_back(tables_.size());
+    if (light.area) tables_.emplace_back(light);
+  }
+}
 
 std::uint64_t AreaShadow::find(std::span<const Feeler> feelers, std::span<Rgb> shares) {
   std::uint64_t rays = 0;
@@ -54,13 +92,15 @@ std::uint64_t AreaShadow::find_together(std::span<const Feeler> feelers, std::sp
     const Light& light = scene_.lights[feeler.light];
     regions_.push_back({grids_.size(), {0, 0, light.area->size1 - 1, light.area->size2 - 1}, 1.0});
     grids_.push_back({&light,
+                      &tables_[table_of_[feeler.light]],
                       AreaGrid(light, feeler.origin, AreaGrid::Use::shadow),
                       arriving_at(light, feeler.origin),
                       points,
                       {0.0, 0.0, 0.0}});
     points += points_of(light);
   }
-  points_.assign(points, Point());
+  asked_.assign(points, 0);
+  if (shares_.size() < points) shares_.resize(points);
   for (int level = 0; !regions_.empty() && !Interrupt::asked(); ++level) {
     ask_corners(feelers);
     next_regions_.clear();
@@ -76,25 +116,35 @@ std::uint64_t AreaShadow::find_together(std::span<const Feeler> feelers, std::sp
 
 void AreaShadow::ask_corners(std::span<const Feeler> feelers) {
   rays_.size = 0;
+  aimed_ = 0;
   for (const Region& region : regions_) {
     const Grid& grid = grids_[region.grid];
     const Feeler& feeler = feelers[region.grid];
     for (const auto& [u, v] : region.rectangle.corners()) {
-      const std::size_t target = point_at(grid, u, v);
-      if (std::exchange(points_[target].asked, true)) continue;
-      const LightAim aim = aim_at(*grid.light, grid.places.place(u, v), feeler.origin);
-      double max_depth = aim.depth - kShadowGap;
-      if (!shadow_.end_at_window(*grid.light, {feeler.origin, aim.direction}, max_depth)) continue;
-      const std::size_t i = rays_.size++;
+      const std::size_t number = number_of(grid, u, v);
+      const std::size_t target = grid.first_point + number;
+      if (std::exchange(asked_[target], 1) != 0) continue;
+      shares_[target] = Rgb(0.0f);
+      const Vec3 place = grid.table->empty() ? grid.places.place(u, v) : grid.places.place((*grid.table)[number]);
+      const std::size_t i = rays_.size;
+      if (grid.light->parallel || grid.light->window != Light::kNoWindow) {
+        const LightAim aim = aim_at(*grid.light, place, feeler.origin);
+        double max_depth = aim.depth - kShadowGap;
+        if (!shadow_.end_at_window(*grid.light, {feeler.origin, aim.direction}, max_depth)) continue;
+        rays_.direction.set(i, aim.direction);
+        rays_.max_depth[i] = max_depth;
+        aimed_ |= std::uint64_t{1} << i;
+      }
+      ++rays_.size;
+      places_.set(i, place);
       rays_.origin.set(i, feeler.origin);
-      rays_.direction.set(i, aim.direction);
       rays_.min_depth[i] = kShadowGap;
-      rays_.max_depth[i] = max_depth;
       rays_.hidden_bit[i] = kHiddenFromShadow;
       media_[i] = feeler.medium;
       lights_[i] = feeler.light;
       targets_[i] = target;
-      if (rays_.size == kRaysAtOnce) send();
+      if (rays_.size < kRaysAtOnce) continue;
+      send();
       if (Interrupt::asked()) return;
     }
   }
@@ -102,12 +152,15 @@ void AreaShadow::ask_corners(std::span<const Feeler> feelers) {
 }
 
 void AreaShadow::send() {
+  HWY_DYNAMIC_DISPATCH(aim_at_places)(places_, aimed_, rays_);
   std::array<Rgb, kRaysAtOnce> shares;
   const std::size_t count = rays_.size;
-  shadow_.passing(rays_, std::span(media_).first(count), std::span(lights_).first(count), std::span(shares).first(count));
-  for (std::size_t i = 0; i < count; ++i) points_[targets_[i]].share = shares[i];
+  shadow_.passing(rays_, std::span(media_).first(count), std::span(lights_).first(count),
+                  std::span(shares).first(count));
+  for (std::size_t i = 0; i < count; ++i) shares_[targets_[i]] = shares[i];
   ray_count_ += count;
   rays_.size = 0;
+  aimed_ = 0;
 }
 
 void AreaShadow::look_at(const Region& region, int level) {
@@ -116,10 +169,14 @@ void AreaShadow::look_at(const Region& region, int level) {
   std::array<Rgb, 4> shares;
   std::array<Rgb, 4> colors;
   for (std::size_t i = 0; i < corners.size(); ++i) {
-    shares[i] = points_[point_at(grid, corners[i][0], corners[i][1])].share;
-    colors[i] = grid.arriving * shares[i];
+    shares[i] = shares_[grid.first_point + number_of(grid, corners[i][0], corners[i][1])];
   }
-  if (region.rectangle.has_quarters() && (level < grid.light->adaptive || differ(colors))) {
+  const auto differs = [&] {
+    if (std::ranges::all_of(shares, [&](const Rgb& share) { return share == shares[0]; })) return false;
+    for (std::size_t i = 0; i < corners.size(); ++i) colors[i] = grid.arriving * shares[i];
+    return differ(colors);
+  };
+  if (region.rectangle.has_quarters() && (level < grid.light->adaptive || differs())) {
     const AreaQuarters quarters = quarters_of(region.rectangle);
     for (std::size_t i = 0; i < quarters.size; ++i) {
       next_regions_.push_back({region.grid, quarters.of[i], region.weight * 0.25 * quarters.times});
@@ -134,3 +191,4 @@ void AreaShadow::look_at(const Region& region, int level) {
 }
 
 }  // namespace firstlight::render
+#endif

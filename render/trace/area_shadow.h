@@ -27,7 +27,7 @@ class AreaShadow {
   };
 
   /// Pre: both outlive it.
-  AreaShadow(const Scene& scene, Shadow& shadow) : scene_(scene), shadow_(shadow) {}
+  AreaShadow(const Scene& scene, Shadow& shadow);
 
   /// shares[i] is what passes of the light that feelers[i] leads to. Returns how many rays that took. Pre: equal sizes.
   std::uint64_t find(std::span<const Feeler> feelers, std::span<Rgb> shares);
@@ -35,9 +35,10 @@ class AreaShadow {
  private:
   struct Grid {
     const Light* light;
+    const AreaTable* table;
     AreaGrid places;
     Rgb arriving;             ///< its colour as it would come without shadows
-    std::size_t first_point;  ///< into points_
+    std::size_t first_point;  ///< into asked_ and shares_
     double sum[3];
   };
   struct Region {
@@ -45,14 +46,10 @@ class AreaShadow {
     AreaRectangle rectangle;
     double weight;
   };
-  struct Point {
-    bool asked = false;
-    Rgb share{0.0f};
-  };
-
   std::uint64_t find_together(std::span<const Feeler> feelers, std::span<Rgb> shares);
-  std::size_t point_at(const Grid& grid, int u, int v) const {
-    return grid.first_point + static_cast<std::size_t>(u) * static_cast<std::size_t>(grid.light->area->size2) +
+  /// The number of a grid's point among those of the grid.
+  static std::size_t number_of(const Grid& grid, int u, int v) {
+    return static_cast<std::size_t>(u) * static_cast<std::size_t>(grid.light->area->size2) +
            static_cast<std::size_t>(v);
   }
   void ask_corners(std::span<const Feeler> feelers);
@@ -61,14 +58,20 @@ class AreaShadow {
 
   const Scene& scene_;
   Shadow& shadow_;
+  std::vector<AreaTable> tables_;      ///< of the lights that have an area
+  std::vector<std::size_t> table_of_;  ///< of each light, into tables_
   std::vector<Grid> grids_;
-  std::vector<Point> points_;  ///< of all grids
+  // Of the points of all grids:
+  std::vector<std::uint8_t> asked_;
+  std::vector<Rgb> shares_;  ///< of those that were asked
   std::vector<Region> regions_;
   std::vector<Region> next_regions_;
   RayBlock rays_;
+  Columns3<double> places_;  ///< where they lead
+  std::uint64_t aimed_ = 0;  ///< bits of those that have a direction already
   std::array<std::uint32_t, kRaysAtOnce> media_{};
   std::array<std::uint32_t, kRaysAtOnce> lights_{};
-  std::array<std::size_t, kRaysAtOnce> targets_{};  ///< into points_
+  std::array<std::size_t, kRaysAtOnce> targets_{};  ///< into asked_ and shares_
   std::uint64_t ray_count_ = 0;
 };
 
