@@ -71,23 +71,22 @@ HWY_INLINE bool is_one_cell(const LatticeStep<L>& x, const LatticeStep<L>& y, co
   return differences == 0;
 }
 
-/// The corners of cells.
+/// Where the coefficients of the corners of cells begin, by lanes; of one cell for all lanes, in the first.
 template <class L>
-struct Corners {
-  std::int32_t entry[8][L::kCount];  ///< where the coefficients of the corners begin; of one cell, in its first lane
-  bool is_one;                       ///< all lanes are in one cell
+using Corners = std::int32_t[8][L::kCount];
 
-  HWY_INLINE void load(std::size_t k, const double* coefficients, L (&c)[4]) const {
-    if (!is_one) return load_rows(coefficients, entry[k], c);
-    const double* row = coefficients + entry[k][0];
-    for (std::size_t i = 0; i < 4; ++i) c[i] = row[i];
-  }
-};
+/// Whether all lanes are in one cell is known where this is compiled: corners are asked in the innermost loops.
+template <bool kOneCell, class L>
+HWY_INLINE void load_corner(const double* coefficients, const std::int32_t (&corner)[L::kCount], L (&c)[4]) {
+  if constexpr (!kOneCell) return load_rows(coefficients, corner, c);
+  for (std::size_t i = 0; i < 4; ++i) c[i] = coefficients[static_cast<std::size_t>(corner[0]) + i];
+}
 
 /// The corners of the lattice's cells about points.
 template <class L>
 struct LatticeCell {
   Corners<L> corners;
+  bool is_one;                     ///< for all lanes
   L weight[8];                     ///< of each of them
   L way_x[2], way_y[2], way_z[2];  ///< from corners on either side
 };
@@ -99,17 +98,21 @@ HWY_INLINE void enter_cell(const Vec3Of<L>& p, LatticeCell<L>& cell) {
   step(p.x, x);
   step(p.y, y);
   step(p.z, z);
-  cell.corners.is_one = is_one_cell(x, y, z);
-  const std::size_t cells = cell.corners.is_one ? 1 : L::kCount;
-  for (std::size_t i = 0; i < cells; ++i) {
+  cell.is_one = is_one_cell(x, y, z);
+  const auto find_corners = [&](std::size_t i) HWY_ATTR {
     const unsigned left = tables.permutation[x.point[i]], right = tables.permutation[x.point[i] + 1];
     const unsigned row = y.point[i], layer = z.point[i];
     const unsigned column[4] = {tables.permutation[left ^ row], tables.permutation[right ^ row],
                                 tables.permutation[left ^ (row + 1)], tables.permutation[right ^ (row + 1)]};
     for (unsigned k = 0; k < 4; ++k) {
-      cell.corners.entry[k][i] = tables.entry[column[k] ^ layer];
-      cell.corners.entry[k + 4][i] = tables.entry[column[k] ^ (layer + 1)];
+      cell.corners[k][i] = tables.entry[column[k] ^ layer];
+      cell.corners[k + 4][i] = tables.entry[column[k] ^ (layer + 1)];
     }
+  };
+  if (cell.is_one) {
+    find_corners(0);
+  } else {
+    for (std::size_t i = 0; i < L::kCount; ++i) find_corners(i);
   }
   const L to_x = s_curve(x.from), to_y = s_curve(y.from), to_z = s_curve(z.from);
   const L weight_xy[4] = {(1.0 - to_x) * (1.0 - to_y), to_x * (1.0 - to_y), (1.0 - to_x) * to_y, to_x * to_y};
@@ -126,22 +129,27 @@ HWY_INLINE void enter_cell(const Vec3Of<L>& p, LatticeCell<L>& cell) {
 }
 
 /// Corner k's share of a sum: a linear function of the way from it, its first coefficient halved, times its weight.
-template <class L>
+template <bool kOneCell, class L>
 HWY_INLINE L corner_share(const LatticeCell<L>& cell, std::size_t k, const double* coefficients) {
   L c[4];
-  cell.corners.load(k, coefficients, c);
+  load_corner<kOneCell>(coefficients, cell.corners[k], c);
   return cell.weight[k] *
          (c[0] * 0.5 + c[1] * cell.way_x[k & 1] + c[2] * cell.way_y[k >> 1 & 1] + c[3] * cell.way_z[k >> 2]);
+}
+
+template <bool kOneCell, class L>
+HWY_INLINE L sum_of_corners(const LatticeCell<L>& cell) {
+  const double* coefficients = LatticeTables::get().coefficients.data();
+  L sum = 0.0;
+  for (std::size_t k = 0; k < 8; ++k) sum = sum + corner_share<kOneCell>(cell, k, coefficients);
+  return sum;
 }
 
 template <class L>
 HWY_INLINE L lattice_noise(const Vec3Of<L>& p) {
   LatticeCell<L> cell;
   enter_cell(p, cell);
-  const double* coefficients = LatticeTables::get().coefficients.data();
-  L sum = 0.0;
-  for (std::size_t k = 0; k < 8; ++k) sum = sum + corner_share(cell, k, coefficients);
-  return sum;
+  return cell.is_one ? sum_of_corners<true>(cell) : sum_of_corners<false>(cell);
 }
 
 /// A place between two entries of the gradients along one axis.
@@ -167,17 +175,21 @@ HWY_INLINE L gradient_noise(const Vec3Of<L>& p) {
   gradient_step(p.y, y);
   gradient_step(p.z, z);
   Corners<L> corners;
-  corners.is_one = is_one_cell(x, y, z);
-  const std::size_t cells = corners.is_one ? 1 : L::kCount;
-  for (std::size_t i = 0; i < cells; ++i) {
+  const auto find_corners = [&](std::size_t i) HWY_ATTR {
     constexpr unsigned kWithin = GradientTables::kSize - 1;
     const unsigned columns[2] = {tables.permutation[x.point[i]], tables.permutation[(x.point[i] + 1) & kWithin]};
     const unsigned rows[2] = {y.point[i], (y.point[i] + 1) & kWithin};
     const unsigned layers[2] = {z.point[i], (z.point[i] + 1) & kWithin};
     for (unsigned k = 0; k < 8; ++k) {
       const unsigned gradient = tables.permutation[columns[k & 1] + rows[k >> 1 & 1]] + layers[k >> 2];
-      corners.entry[k][i] = static_cast<std::int32_t>(4 * gradient);
+      corners[k][i] = static_cast<std::int32_t>(4 * gradient);
     }
+  };
+  const bool is_one = is_one_cell(x, y, z);
+  if (is_one) {
+    find_corners(0);
+  } else {
+    for (std::size_t i = 0; i < L::kCount; ++i) find_corners(i);
   }
   const L way_x[2] = {x.from, x.from - 1.0}, way_y[2] = {y.from, y.from - 1.0}, way_z[2] = {z.from, z.from - 1.0};
   const L to_x = s_curve(x.from), to_y = s_curve(y.from), to_z = s_curve(z.from);
@@ -186,7 +198,12 @@ HWY_INLINE L gradient_noise(const Vec3Of<L>& p) {
     L end[2];
     for (std::size_t side = 0; side < 2; ++side) {
       L g[4];
-      corners.load(2 * k + side, tables.gradients.front().data(), g);
+      const double* gradients = tables.gradients.front().data();
+      if (is_one) {
+        load_corner<true>(gradients, corners[2 * k + side], g);
+      } else {
+        load_corner<false>(gradients, corners[2 * k + side], g);
+      }
       end[side] = way_x[side] * g[0] + way_y[k & 1] * g[1] + way_z[k >> 1] * g[2];
     }
     edge[k] = blend(to_x, end[0], end[1]);
@@ -219,19 +236,24 @@ HWY_INLINE L noise(const Vec3Of<L>& p, int generator) {
 }
 
 /// Sums depend on their order in the last digit, and POV-Ray goes about the corners in another order than for noise.
-template <class L>
-HWY_NOINLINE void dnoise_of(const Vec3Of<L>& p, Vec3Of<L>& value) {
+template <bool kOneCell, class L>
+HWY_INLINE Vec3Of<L> sums_around(const LatticeCell<L>& cell) {
   constexpr std::size_t kRound[8] = {0, 1, 3, 2, 6, 7, 5, 4};
-  LatticeCell<L> cell;
-  enter_cell(p, cell);
   const double* coefficients = LatticeTables::get().coefficients.data();
   Vec3Of<L> sum = {L(0.0), L(0.0), L(0.0)};
   for (const std::size_t k : kRound) {
-    sum.x = sum.x + corner_share(cell, k, coefficients);
-    sum.y = sum.y + corner_share(cell, k, coefficients + 4);
-    sum.z = sum.z + corner_share(cell, k, coefficients + 8);
+    sum.x = sum.x + corner_share<kOneCell>(cell, k, coefficients);
+    sum.y = sum.y + corner_share<kOneCell>(cell, k, coefficients + 4);
+    sum.z = sum.z + corner_share<kOneCell>(cell, k, coefficients + 8);
   }
-  value = sum;
+  return sum;
+}
+
+template <class L>
+HWY_NOINLINE void dnoise_of(const Vec3Of<L>& p, Vec3Of<L>& value) {
+  LatticeCell<L> cell;
+  enter_cell(p, cell);
+  value = cell.is_one ? sums_around<true>(cell) : sums_around<false>(cell);
 }
 template <class L>
 HWY_INLINE Vec3Of<L> dnoise(const Vec3Of<L>& p) {

@@ -8,6 +8,7 @@
 #include <hwy/foreach_target.h>
 
 #include "render/shape/depth_roots-inl.h"
+#include "render/shape/profile-inl.h"
 
 #include <algorithm>
 #include <array>
@@ -140,37 +141,6 @@ struct Prism {
   static double size(const Vec2& v) { return std::abs(v.x) + std::abs(v.y); }
 };
 
-/// The depth at which the ray meets the place of a curve. False: it runs along it.
-bool depth_at(PrismParameters::Sweep sweep, const Vec2& place, const Ray& ray, double& t) {
-  const Vec3& p = ray.origin;
-  const Vec3& d = ray.direction;
-  if (sweep == PrismParameters::Sweep::linear) {
-    t = std::abs(d.x) > kEpsilon ? (place.x - p.x) / d.x : (place.y - p.z) / d.z;
-    return true;
-  }
-  const double approach = d.x - place.x * d.y;
-  if (std::abs(approach) > kEpsilon) {
-    t = (place.x * p.y - p.x) / approach;
-    return true;
-  }
-  const double other = d.z - place.y * d.y;
-  if (!(std::abs(other) > kEpsilon)) return false;
-  t = (place.y * p.y - p.z) / other;
-  return true;
-}
-
-/// add(depth, face, place) if the ray, of unit length, meets the side above the place `w` of a segment.
-template <class Add>
-void add_side(const Prism& prism, const Ray& ray, double length, std::uint32_t part, double w, const Add& add) {
-  double t;
-  if (!depth_at(prism.sweep, prism.segments[part].at(w), ray, t)) return;
-  const double height = ray.origin.y + t * ray.direction.y;
-  const double depth = t / length;
-  if (height >= prism.bottom && height <= prism.top && depth > prism.nearest && depth < kMaxDistance) {
-    add(depth, part, std::array<double, 2>{w, 0.0});
-  }
-}
-
 }  // namespace
 }  // namespace firstlight::render
 #endif
@@ -269,6 +239,69 @@ HWY_INLINE void equation_of(const ProfileSegment& s, const Vec3Of<L>& line, L (&
   equation[3] = along(s.a);
 }
 
+/// Where rays meet the side above a place of a curve.
+template <class L>
+struct SideOf {
+  L depth;  ///< along the rays as they were given
+  MaskOf<L> is_met;
+};
+
+/// The side above the place `w` of a segment. `ray`: of unit length, and `length` the length it had.
+template <class L>
+HWY_INLINE SideOf<L> side_above(const Prism& prism, const ProfileSegment& segment, const L& w, const RayOf<L>& ray,
+                                const L& length) {
+  const Vec3Of<L>& p = ray.origin;
+  const Vec3Of<L>& d = ray.direction;
+  const PlaceOf<L> place = place_on(segment, w);
+  L t;
+  MaskOf<L> along;  // those that run along the side, which they do not meet
+  if (prism.sweep == PrismParameters::Sweep::linear) {
+    t = select(abs(d.x) > kEpsilon, (place.x - p.x) / d.x, (place.y - p.z) / d.z);
+    along = t < t;
+  } else {
+    const L approach = d.x - place.x * d.y;
+    const L other = d.z - place.y * d.y;
+    const MaskOf<L> by_x = abs(approach) > kEpsilon;
+    t = select(by_x, (place.x * p.y - p.x) / approach, (place.y * p.y - p.z) / other);
+    along = !(by_x | (abs(other) > kEpsilon));
+  }
+  const L height = p.y + t * d.y;
+  const L depth = t / length;
+  return {depth,
+          without((height >= prism.bottom) & (height <= prism.top) & (depth > prism.nearest) & (depth < kMaxDistance),
+                  along)};
+}
+
+/// The sides that are lines or parabolas, of those rays from the i-th on whose bits are in `of_vector`.
+template <class Order>
+HWY_INLINE void meet_few_sides(const Prism& prism, Order order, const RayOf<Lanes>& ray, const Lanes& length,
+                               std::size_t i, std::uint64_t of_vector, SlotLists& lists) {
+  const Vec3Of<Lanes> line = line_of(prism, ray);
+  const RectangleOf<Lanes> shadow = shadow_of(prism, ray);
+  for (std::uint32_t part = 0; part < prism.segments.size(); ++part) {
+    const std::uint64_t here = bits(meets(prism.rectangles[part], shadow, line)) & of_vector;
+    if (here == 0) continue;
+    Lanes equation[4];
+    equation_of(prism.segments[part], line, equation);
+    const FewRoots<Lanes> roots = few_roots(equation, order, Lanes(0.0), Lanes(1.0));
+    const auto add = [&](const Lanes& w, const LanesMask& has) HWY_ATTR {
+      const std::uint64_t with_root = bits(has) & here;
+      if (with_root == 0) return;
+      const SideOf<Lanes> side = side_above(prism, prism.segments[part], w, ray, length);
+      double depths[Lanes::kCount];
+      double places[Lanes::kCount];
+      side.depth.store(depths);
+      w.store(places);
+      for (std::uint64_t left = bits(side.is_met) & with_root; left != 0; left &= left - 1) {
+        const auto lane = static_cast<std::size_t>(__builtin_ctzll(left));
+        lists.add(i + lane, depths[lane], part, {places[lane], 0.0});
+      }
+    };
+    add(roots.first, roots.has_first);
+    add(roots.second, roots.has_second);
+  }
+}
+
 void meet_prism(const Prism& prism, const RaysAndPlace& asked, Slots& slots) {
   RayColumns rays;
   Column<double> length;
@@ -313,15 +346,23 @@ void meet_prism(const Prism& prism, const RaysAndPlace& asked, Slots& slots) {
   }
   if (sides == 0) return;
   RootJobs jobs([&](std::size_t i, std::uint32_t part, double w) {
-    add_side(prism, rays.ray(i), length[i], part, w,
-             [&](double depth, std::uint32_t face, const std::array<double, 2>& place) {
-               lists.add(i, depth, face, place);
-             });
+    const Ray ray = rays.ray(i);
+    const RayOf<One> same{everywhere<One>(ray.origin), everywhere<One>(ray.direction)};
+    const SideOf<One> side = side_above<One>(prism, prism.segments[part], w, same, length[i]);
+    if (side.is_met.holds) lists.add(i, side.depth.v, part, {w, 0.0});
   });
   for (std::size_t i = 0; i < kRaysAtOnce; i += Lanes::kCount) {
     const std::uint64_t of_vector = sides >> i & kAllLanes;
     if (of_vector == 0) continue;
     const RayOf<Lanes> ray{load3<Lanes>(rays.origin, i), load3<Lanes>(rays.direction, i)};
+    if (prism.order == 1) {
+      meet_few_sides(prism, std::integral_constant<std::size_t, 1>(), ray, load<Lanes>(length, i), i, of_vector, lists);
+      continue;
+    }
+    if (prism.order == 2) {
+      meet_few_sides(prism, std::integral_constant<std::size_t, 2>(), ray, load<Lanes>(length, i), i, of_vector, lists);
+      continue;
+    }
     const Vec3Of<Lanes> line = line_of(prism, ray);
     const RectangleOf<Lanes> shadow = shadow_of(prism, ray);
     for (std::uint32_t part = 0; part < prism.segments.size(); ++part) {
@@ -348,8 +389,6 @@ inline void meet_prism_once(const Prism& prism, const Ray& given, Met& met) {
     }
   }
   if (!may_meet_sides(prism, ray).holds) return;
-  const Ray same{Vec3(ray.origin.x.v, ray.origin.y.v, ray.origin.z.v),
-                 Vec3(ray.direction.x.v, ray.direction.y.v, ray.direction.z.v)};
   const Vec3Of<One> line = line_of(prism, ray);
   const RectangleOf<One> shadow = shadow_of(prism, ray);
   for (std::uint32_t part = 0; part < prism.segments.size(); ++part) {
@@ -359,9 +398,8 @@ inline void meet_prism_once(const Prism& prism, const Ray& given, Met& met) {
     const double c[4] = {equation[0].v, equation[1].v, equation[2].v, equation[3].v};
     PolynomialRoots roots({c, prism.order + 1}, 0.0, 1.0);
     for (double w; roots.next(w);) {
-      add_side(
-          prism, same, length.v, part, w,
-          [&](double depth, std::uint32_t face, const std::array<double, 2>& place) { met.add(depth, face, place); });
+      const SideOf<One> side = side_above<One>(prism, prism.segments[part], w, ray, length);
+      if (side.is_met.holds) met.add(side.depth.v, part, {w, 0.0});
     }
   }
 }

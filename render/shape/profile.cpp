@@ -9,7 +9,8 @@
 #define HWY_TARGET_INCLUDE "render/shape/profile.cpp"
 #include <hwy/foreach_target.h>
 
-#include "render/lanes/lanes-inl.h"
+#include "render/math/polynomial-inl.h"
+#include "render/shape/profile-inl.h"
 
 #include <algorithm>
 #include <array>
@@ -20,17 +21,51 @@ HWY_BEFORE_NAMESPACE();
 namespace firstlight::render {
 namespace HWY_NAMESPACE {
 
-/// The bits of those points for which a line in the direction of growing u may meet the segment.
+/// The lanes of points for which a line in the direction of growing u may meet the segment.
+HWY_INLINE LanesMask is_beside(const ProfileSegment& segment, const Lanes& u, const Lanes& v) {
+  return !((v < segment.low.y) | (v > segment.high.y) | (u > segment.high.x));
+}
+
+/// The bits of such points.
 std::uint64_t points_beside(const ProfileSegment& segment, const Column<double>& u, const Column<double>& v,
                             std::uint64_t who) {
   std::uint64_t beside = 0;
   for (std::size_t i = 0; i < kRaysAtOnce; i += Lanes::kCount) {
     if ((who >> i & kAllLanes) == 0) continue;
-    const auto height = load<Lanes>(v, i);
-    const auto misses = (height < segment.low.y) | (height > segment.high.y) | (load<Lanes>(u, i) > segment.high.x);
-    beside |= (~std::uint64_t{bits(misses)} & kAllLanes) << i;
+    beside |= std::uint64_t{bits(is_beside(segment, load<Lanes>(u, i), load<Lanes>(v, i)))} << i;
   }
   return beside & who;
+}
+
+/// As points_in_curves(), for lines or parabolas.
+template <class Order>
+HWY_INLINE std::uint64_t points_in(std::span<const ProfileSegment> segments, Order order, const Column<double>& us,
+                                   const Column<double>& vs, std::uint64_t who) {
+  std::uint64_t holding = 0;
+  for (std::size_t i = 0; i < kRaysAtOnce; i += Lanes::kCount) {
+    const std::uint64_t of_vector = who >> i & kAllLanes;
+    if (of_vector == 0) continue;
+    const auto u = load<Lanes>(us, i);
+    const auto v = load<Lanes>(vs, i);
+    unsigned odd = 0;
+    for (const ProfileSegment& segment : segments) {
+      const LanesMask beside = is_beside(segment, u, v);
+      if (!any(beside)) continue;
+      const Lanes c[3] = {segment.d.y - v, segment.c.y, segment.b.y};
+      const FewRoots<Lanes> roots = few_roots(c, order, Lanes(0.0), Lanes(1.0));
+      const auto is_ahead = [&](const Lanes& w) HWY_ATTR { return place_on(segment, w).x >= u; };
+      odd ^= bits(beside & roots.has_first & is_ahead(roots.first)) ^
+             bits(beside & roots.has_second & is_ahead(roots.second));
+    }
+    holding |= (odd & of_vector) << i;
+  }
+  return holding;
+}
+
+std::uint64_t points_in_few(std::span<const ProfileSegment> segments, std::size_t order, const Column<double>& u,
+                            const Column<double>& v, std::uint64_t who) {
+  if (order == 1) return points_in(segments, std::integral_constant<std::size_t, 1>(), u, v, who);
+  return points_in(segments, std::integral_constant<std::size_t, 2>(), u, v, who);
 }
 
 }  // namespace HWY_NAMESPACE
@@ -41,6 +76,7 @@ HWY_AFTER_NAMESPACE();
 namespace firstlight::render {
 
 HWY_EXPORT(points_beside);
+HWY_EXPORT(points_in_few);
 
 namespace {
 
@@ -137,8 +173,9 @@ bool is_in_curves(std::span<const ProfileSegment> segments, double u, double v) 
 
 std::uint64_t points_in_curves(std::span<const ProfileSegment> segments, const Column<double>& u,
                                const Column<double>& v, std::uint64_t who) {
-  std::uint64_t holding = 0;
   const std::size_t order = highest_order(segments);
+  if (order <= 2) return HWY_DYNAMIC_DISPATCH(points_in_few)(segments, order, u, v, who);
+  std::uint64_t holding = 0;
   RootJobs jobs([&](std::size_t point, std::uint32_t part, double w) {
     if (segments[part].at(w).x >= u[point]) holding ^= std::uint64_t{1} << point;
   });

@@ -10,6 +10,7 @@
 #include <cmath>
 #include <cstddef>
 #include <optional>
+#include <span>
 #include <unordered_set>
 
 namespace firstlight::render {
@@ -78,6 +79,7 @@ class Maker {
     if (!negative_light_) negative_light_ = may_be_negative(scene_, surfaces_);
     return *negative_light_;
   }
+  void keep(const SurfaceAnswer& answer);
   void add_lights();
   void look_at_matter(const Box3& origins);
   double lit(const Finish& finish, const PigmentLimits& pigment, std::size_t channel);
@@ -93,6 +95,25 @@ class Maker {
   bool bends_ = false;                  ///< rays may be bent
   bool goes_straight_ = true;           ///< rays may go straight on
 };
+
+/// Whether the other answer is of less light than this, whatever comes.
+bool exceeds(const SurfaceAnswer& answer, const SurfaceAnswer& other) {
+  return other.sealed.empty() && answer.own >= other.own && answer.mirrored >= other.mirrored &&
+         answer.straight >= other.straight && answer.bent >= other.bent;
+}
+
+/// Only the largest answers count: where there are many surfaces, most of them are exceeded by one of the first.
+void Maker::keep(const SurfaceAnswer& answer) {
+  constexpr std::size_t kMostCompared = 16;
+  const std::span first = std::span(limits_.answers).first(std::min(limits_.answers.size(), kMostCompared));
+  if (std::ranges::any_of(first, [&](const SurfaceAnswer& kept) { return exceeds(kept, answer); })) return;
+  const auto exceeded = std::ranges::find_if(first, [&](const SurfaceAnswer& kept) { return exceeds(answer, kept); });
+  if (exceeded != first.end()) {
+    *exceeded = answer;
+  } else {
+    limits_.answers.push_back(answer);
+  }
+}
 
 void Maker::add_lights() {
   for (const Light& light : scene_.lights) {
@@ -208,13 +229,13 @@ void Maker::add(const Coat& coat) {
   need(only_takes || coat.is_opaque);  // a feeler may cross any number of surfaces
   if (passed * most_kept * (1.0 + PigmentLimits::kBlendError) <=
       scene_.settings.adc_bailout) {  // no ray is sent through
-    limits_.answers.push_back(answer);
+    keep(answer);
     return;
   }
   const auto add_passing = [&](SurfaceAnswer with, double share) {
     with.straight = goes_straight_ ? share : 0.0;
     with.bent = bends_ ? share : 0.0;
-    limits_.answers.push_back(with);
+    keep(with);
   };
   add_passing(answer, passed * kept_at_mirror * matter_);
   SurfaceAnswer unmirrored;
@@ -222,7 +243,7 @@ void Maker::add(const Coat& coat) {
   if (kept_at_mirror < most_kept) add_passing(unmirrored, passed * most_kept * matter_);
   if (bends_) {  // total reflection, which mirrors nothing beside
     unmirrored.bent = matter_;
-    limits_.answers.push_back(unmirrored);
+    keep(unmirrored);
   }
 }
 
