@@ -14,6 +14,7 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <type_traits>
 #include <utility>
 
 #ifndef FIRSTLIGHT_RENDER_SHAPE_PRISM
@@ -272,34 +273,26 @@ HWY_INLINE SideOf<L> side_above(const Prism& prism, const ProfileSegment& segmen
                   along)};
 }
 
-/// The sides that are lines or parabolas, of those rays from the i-th on whose bits are in `of_vector`.
-template <class Order>
-HWY_INLINE void meet_few_sides(const Prism& prism, Order order, const RayOf<Lanes>& ray, const Lanes& length,
-                               std::size_t i, std::uint64_t of_vector, SlotLists& lists) {
-  const Vec3Of<Lanes> line = line_of(prism, ray);
-  const RectangleOf<Lanes> shadow = shadow_of(prism, ray);
-  for (std::uint32_t part = 0; part < prism.segments.size(); ++part) {
-    const std::uint64_t here = bits(meets(prism.rectangles[part], shadow, line)) & of_vector;
-    if (here == 0) continue;
-    Lanes equation[4];
-    equation_of(prism.segments[part], line, equation);
-    const FewRoots<Lanes> roots = few_roots(equation, order, Lanes(0.0), Lanes(1.0));
-    const auto add = [&](const Lanes& w, const LanesMask& has) HWY_ATTR {
-      const std::uint64_t with_root = bits(has) & here;
-      if (with_root == 0) return;
-      const SideOf<Lanes> side = side_above(prism, prism.segments[part], w, ray, length);
-      double depths[Lanes::kCount];
-      double places[Lanes::kCount];
-      side.depth.store(depths);
-      w.store(places);
-      for (std::uint64_t left = bits(side.is_met) & with_root; left != 0; left &= left - 1) {
-        const auto lane = static_cast<std::size_t>(__builtin_ctzll(left));
-        lists.add(i + lane, depths[lane], part, {places[lane], 0.0});
-      }
-    };
-    add(roots.first, roots.has_first);
-    add(roots.second, roots.has_second);
-  }
+/// The sides above a segment that is a line or a parabola, met by those rays from the i-th on whose bits are in `here`.
+HWY_INLINE void meet_few_sides(const Prism& prism, std::uint32_t part, const Lanes (&equation)[4],
+                               const RayOf<Lanes>& ray, const Lanes& length, std::size_t i, std::uint64_t here,
+                               SlotLists& lists) {
+  const FewRoots<Lanes> roots = few_roots(equation, std::integral_constant<std::size_t, 2>(), Lanes(0.0), Lanes(1.0));
+  const auto add = [&](const Lanes& w, const LanesMask& has) HWY_ATTR {
+    const std::uint64_t with_root = bits(has) & here;
+    if (with_root == 0) return;
+    const SideOf<Lanes> side = side_above(prism, prism.segments[part], w, ray, length);
+    double depths[Lanes::kCount];
+    double places[Lanes::kCount];
+    side.depth.store(depths);
+    w.store(places);
+    for (std::uint64_t left = bits(side.is_met) & with_root; left != 0; left &= left - 1) {
+      const auto lane = static_cast<std::size_t>(__builtin_ctzll(left));
+      lists.add(i + lane, depths[lane], part, {places[lane], 0.0});
+    }
+  };
+  add(roots.first, roots.has_first);
+  add(roots.second, roots.has_second);
 }
 
 void meet_prism(const Prism& prism, const RaysAndPlace& asked, Slots& slots) {
@@ -355,14 +348,6 @@ void meet_prism(const Prism& prism, const RaysAndPlace& asked, Slots& slots) {
     const std::uint64_t of_vector = sides >> i & kAllLanes;
     if (of_vector == 0) continue;
     const RayOf<Lanes> ray{load3<Lanes>(rays.origin, i), load3<Lanes>(rays.direction, i)};
-    if (prism.order == 1) {
-      meet_few_sides(prism, std::integral_constant<std::size_t, 1>(), ray, load<Lanes>(length, i), i, of_vector, lists);
-      continue;
-    }
-    if (prism.order == 2) {
-      meet_few_sides(prism, std::integral_constant<std::size_t, 2>(), ray, load<Lanes>(length, i), i, of_vector, lists);
-      continue;
-    }
     const Vec3Of<Lanes> line = line_of(prism, ray);
     const RectangleOf<Lanes> shadow = shadow_of(prism, ray);
     for (std::uint32_t part = 0; part < prism.segments.size(); ++part) {
@@ -370,7 +355,11 @@ void meet_prism(const Prism& prism, const RaysAndPlace& asked, Slots& slots) {
       if (here == 0) continue;
       Lanes equation[4];
       equation_of(prism.segments[part], line, equation);
-      add_jobs(jobs, i, here, part, prism.order, equation, Lanes(0.0), Lanes(1.0));
+      if (prism.order <= 2) {
+        meet_few_sides(prism, part, equation, ray, load<Lanes>(length, i), i, here, lists);
+      } else {
+        add_jobs(jobs, i, here, part, prism.order, equation, Lanes(0.0), Lanes(1.0));
+      }
     }
   }
   jobs.finish();

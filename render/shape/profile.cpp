@@ -16,6 +16,7 @@
 #include <array>
 #include <cmath>
 #include <numbers>
+#include <type_traits>
 
 HWY_BEFORE_NAMESPACE();
 namespace firstlight::render {
@@ -37,10 +38,9 @@ std::uint64_t points_beside(const ProfileSegment& segment, const Column<double>&
   return beside & who;
 }
 
-/// As points_in_curves(), for lines or parabolas.
-template <class Order>
-HWY_INLINE std::uint64_t points_in(std::span<const ProfileSegment> segments, Order order, const Column<double>& us,
-                                   const Column<double>& vs, std::uint64_t who) {
+/// As points_in_curves(), for lines and parabolas.
+std::uint64_t points_in_few(std::span<const ProfileSegment> segments, const Column<double>& us,
+                            const Column<double>& vs, std::uint64_t who) {
   std::uint64_t holding = 0;
   for (std::size_t i = 0; i < kRaysAtOnce; i += Lanes::kCount) {
     const std::uint64_t of_vector = who >> i & kAllLanes;
@@ -52,7 +52,7 @@ HWY_INLINE std::uint64_t points_in(std::span<const ProfileSegment> segments, Ord
       const LanesMask beside = is_beside(segment, u, v);
       if (!any(beside)) continue;
       const Lanes c[3] = {segment.d.y - v, segment.c.y, segment.b.y};
-      const FewRoots<Lanes> roots = few_roots(c, order, Lanes(0.0), Lanes(1.0));
+      const FewRoots<Lanes> roots = few_roots(c, std::integral_constant<std::size_t, 2>(), Lanes(0.0), Lanes(1.0));
       const auto is_ahead = [&](const Lanes& w) HWY_ATTR { return place_on(segment, w).x >= u; };
       odd ^= bits(beside & roots.has_first & is_ahead(roots.first)) ^
              bits(beside & roots.has_second & is_ahead(roots.second));
@@ -60,12 +60,6 @@ HWY_INLINE std::uint64_t points_in(std::span<const ProfileSegment> segments, Ord
     holding |= (odd & of_vector) << i;
   }
   return holding;
-}
-
-std::uint64_t points_in_few(std::span<const ProfileSegment> segments, std::size_t order, const Column<double>& u,
-                            const Column<double>& v, std::uint64_t who) {
-  if (order == 1) return points_in(segments, std::integral_constant<std::size_t, 1>(), u, v, who);
-  return points_in(segments, std::integral_constant<std::size_t, 2>(), u, v, who);
 }
 
 }  // namespace HWY_NAMESPACE
@@ -174,7 +168,7 @@ bool is_in_curves(std::span<const ProfileSegment> segments, double u, double v) 
 std::uint64_t points_in_curves(std::span<const ProfileSegment> segments, const Column<double>& u,
                                const Column<double>& v, std::uint64_t who) {
   const std::size_t order = highest_order(segments);
-  if (order <= 2) return HWY_DYNAMIC_DISPATCH(points_in_few)(segments, order, u, v, who);
+  if (order <= 2) return HWY_DYNAMIC_DISPATCH(points_in_few)(segments, u, v, who);
   std::uint64_t holding = 0;
   RootJobs jobs([&](std::size_t point, std::uint32_t part, double w) {
     if (segments[part].at(w).x >= u[point]) holding ^= std::uint64_t{1} << point;
