@@ -35,7 +35,7 @@ struct Hull {
   Extent extent() const { return Extent(Box3(Vec3(low[0], low[1], low[2]), Vec3(high[0], high[1], high[2]))); }
 };
 
-/// What is grouped: a node, with its extent beside it.
+/// A node that is to be grouped, with its extent beside it.
 struct Member {
   Extent extent;
   std::uint32_t node;

@@ -15,7 +15,7 @@ namespace firstlight::render {
 /// Memory   200 bytes an entry.
 class ColorMapTable {
  public:
-  /// Of no map: not to be asked.
+  /// A table of no map, not to be asked.
   ColorMapTable() = default;
   /// Pre: the map has entries.
   explicit ColorMapTable(const ColorMap& map);

@@ -61,7 +61,7 @@ class AreaShadow {
   std::vector<AreaTable> tables_;      ///< of the lights that have an area
   std::vector<std::size_t> table_of_;  ///< of each light, into tables_
   std::vector<Grid> grids_;
-  // Of the points of all grids:
+  // Facts of the points of all grids:
   std::vector<std::uint8_t> asked_;
   std::vector<Rgb> shares_;  ///< of those that were asked
   std::vector<Region> regions_;

@@ -32,7 +32,7 @@ struct SurfaceAnswer {
   double from_this_side(double incoming) const;
 };
 
-/// Everything that the surfaces of a scene may do to light.
+/// The most that the surfaces of a scene may do to light: answers that others exceed may be left out.
 ///
 /// Source   The formulas of shading (render/trace/shade.cpp), each term at its largest.
 struct SurfaceLimits {
