@@ -53,9 +53,8 @@ Vec3 AreaGrid::place(int u, int v) const {
 
 AreaTable::AreaTable(const Light& light) {
   const AreaLight& area = *light.area;
-  const std::size_t points = static_cast<std::size_t>(area.size1) * static_cast<std::size_t>(area.size2);
-  if (light.jitter || points > kMostPoints) return;
-  along_.reserve(points);
+  if (light.jitter || area.points() > kMostPoints) return;
+  along_.reserve(area.points());
   for (int u = 0; u < area.size1; ++u) {
     for (int v = 0; v < area.size2; ++v) along_.push_back(along_axes(light, Vec2(u, v)));
   }

@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <cstdint>
 #include <memory>
 #include <optional>
@@ -23,6 +24,8 @@ struct AreaLight {
   Vec3 axis2{0.0, 1.0, 0.0};
   int size1 = 1;  ///< points along each edge
   int size2 = 1;
+
+  std::size_t points() const { return static_cast<std::size_t>(size1) * static_cast<std::size_t>(size2); }
 };
 
 /// A light that shines in all directions, or as the further members say. Plain data.

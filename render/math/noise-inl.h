@@ -71,6 +71,13 @@ HWY_INLINE bool is_one_cell(const LatticeStep<L>& x, const LatticeStep<L>& y, co
   return differences == 0;
 }
 
+/// find(i) for each lane, or for the first alone where all are in one cell.
+template <class L, class Find>
+HWY_INLINE void for_each_cell(bool is_one, const Find& find) {
+  if (is_one) return find(0);
+  for (std::size_t i = 0; i < L::kCount; ++i) find(i);
+}
+
 /// Where the coefficients of the corners of cells begin, by lanes; of one cell for all lanes, in the first.
 template <class L>
 using Corners = std::int32_t[8][L::kCount];
@@ -78,8 +85,11 @@ using Corners = std::int32_t[8][L::kCount];
 /// Whether all lanes are in one cell is known where this is compiled: corners are asked in the innermost loops.
 template <bool kOneCell, class L>
 HWY_INLINE void load_corner(const double* coefficients, const std::int32_t (&corner)[L::kCount], L (&c)[4]) {
-  if constexpr (!kOneCell) return load_rows(coefficients, corner, c);
-  for (std::size_t i = 0; i < 4; ++i) c[i] = coefficients[static_cast<std::size_t>(corner[0]) + i];
+  if constexpr (kOneCell) {
+    for (std::size_t i = 0; i < 4; ++i) c[i] = coefficients[static_cast<std::size_t>(corner[0]) + i];
+  } else {
+    load_rows(coefficients, corner, c);
+  }
 }
 
 /// The corners of the lattice's cells about points.
@@ -109,11 +119,7 @@ HWY_INLINE void enter_cell(const Vec3Of<L>& p, LatticeCell<L>& cell) {
       cell.corners[k + 4][i] = tables.entry[column[k] ^ (layer + 1)];
     }
   };
-  if (cell.is_one) {
-    find_corners(0);
-  } else {
-    for (std::size_t i = 0; i < L::kCount; ++i) find_corners(i);
-  }
+  for_each_cell<L>(cell.is_one, find_corners);
   const L to_x = s_curve(x.from), to_y = s_curve(y.from), to_z = s_curve(z.from);
   const L weight_xy[4] = {(1.0 - to_x) * (1.0 - to_y), to_x * (1.0 - to_y), (1.0 - to_x) * to_y, to_x * to_y};
   for (std::size_t k = 0; k < 4; ++k) {
@@ -186,11 +192,7 @@ HWY_INLINE L gradient_noise(const Vec3Of<L>& p) {
     }
   };
   const bool is_one = is_one_cell(x, y, z);
-  if (is_one) {
-    find_corners(0);
-  } else {
-    for (std::size_t i = 0; i < L::kCount; ++i) find_corners(i);
-  }
+  for_each_cell<L>(is_one, find_corners);
   const L way_x[2] = {x.from, x.from - 1.0}, way_y[2] = {y.from, y.from - 1.0}, way_z[2] = {z.from, z.from - 1.0};
   const L to_x = s_curve(x.from), to_y = s_curve(y.from), to_z = s_curve(z.from);
   L edge[4];

@@ -155,10 +155,11 @@ struct FewRoots {
 /// of intervals that touch one alone has a root between them.
 /// Source   W. Kahan, On the Cost of Floating-Point Computation Without Extra-Precise Arithmetic, 2004: of both roots
 ///          of a parabola each is a quotient without cancellation.
-template <class L, class Order>
-HWY_INLINE FewRoots<L> few_roots(const L* c, Order order, const L& low, const L& high) {
-  L bend = 0.0;
-  if constexpr (Order() == 2) bend = c[2];
+/// c[2]: 0 of lines.
+template <class L>
+HWY_INLINE FewRoots<L> few_roots(const L* c, const L& low, const L& high) {
+  constexpr std::integral_constant<std::size_t, 2> order;
+  const L& bend = c[2];
   const auto below_low = value(c, order, low) < L(0.0);
   const auto below_high = value(c, order, high) < L(0.0);
   const L discriminant = c[1] * c[1] - 4.0 * (bend * c[0]);

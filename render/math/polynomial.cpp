@@ -183,27 +183,20 @@ HWY_INLINE std::uint64_t next_roots(const PolynomialColumns& p, Order order, Roo
   return found;
 }
 
-template <class Order>
-HWY_INLINE void find_few_roots(const PolynomialColumns& p, Order order, std::uint64_t who,
-                               RootColumns::Search& search) {
+void find_few_roots(const PolynomialColumns& p, std::uint64_t who, RootColumns::Search& search) {
   search.has_first = 0;
   search.has_second = 0;
   for (std::size_t i = 0; i < kRaysAtOnce; i += Lanes::kCount) {
     const std::uint64_t of_vector = who >> i & kAllLanes;
     if (of_vector == 0) continue;
-    Lanes c[kCoefficients<Order>];
-    for (std::size_t k = 0; k <= order; ++k) c[k] = load<Lanes>(p.c[k], i);
-    const FewRoots<Lanes> roots = few_roots(c, order, load<Lanes>(p.low, i), load<Lanes>(p.high, i));
+    Lanes c[3] = {Lanes(0.0), Lanes(0.0), Lanes(0.0)};
+    for (std::size_t k = 0; k <= p.order; ++k) c[k] = load<Lanes>(p.c[k], i);
+    const FewRoots<Lanes> roots = few_roots(c, load<Lanes>(p.low, i), load<Lanes>(p.high, i));
     store(roots.first, search.first, i);
     store(roots.second, search.second, i);
     search.has_first |= (bits(roots.has_first) & of_vector) << i;
     search.has_second |= (bits(roots.has_second) & of_vector) << i;
   }
-}
-
-void find_few_roots_of(const PolynomialColumns& p, std::uint64_t who, RootColumns::Search& search) {
-  if (p.order == 1) return find_few_roots(p, std::integral_constant<std::size_t, 1>(), who, search);
-  find_few_roots(p, std::integral_constant<std::size_t, 2>(), who, search);
 }
 
 std::uint64_t find_next_roots(const PolynomialColumns& p, RootColumns::Search& search, std::uint64_t who,
@@ -227,16 +220,15 @@ HWY_AFTER_NAMESPACE();
 #if HWY_ONCE
 namespace firstlight::render {
 
-HWY_EXPORT(find_few_roots_of);
+HWY_EXPORT(find_few_roots);
 HWY_EXPORT(find_next_roots);
 
-template <class Order>
-bool PolynomialRoots::next_of_few(Order order, double& root) {
+bool PolynomialRoots::next_of_few(double& root) {
   using namespace HWY_NAMESPACE;
   if (halvings_left_ == kMostHalvings) {
-    One c[kCoefficients<Order>];
-    for (std::size_t i = 0; i <= order; ++i) c[i] = c_[i];
-    const FewRoots<One> roots = few_roots(c, order, One(waiting_[0].begin), One(waiting_[0].end));
+    One c[3] = {0.0, 0.0, 0.0};
+    std::copy(c_.begin(), c_.end(), c);
+    const FewRoots<One> roots = few_roots(c, One(waiting_[0].begin), One(waiting_[0].end));
     halvings_left_ = 0;
     waiting_count_ = 0;
     if (roots.has_second.holds) waiting_[waiting_count_++].begin = roots.second.v;
@@ -294,9 +286,8 @@ bool PolynomialRoots::next(double& root) {
   if (waiting_count_ == 0) return false;
   switch (c_.size() - 1) {
     case 1:
-      return next_of_few(std::integral_constant<std::size_t, 1>(), root);
     case 2:
-      return next_of_few(std::integral_constant<std::size_t, 2>(), root);
+      return next_of_few(root);
     case 3:
       return next(std::integral_constant<std::size_t, 3>(), root);
     case 4:
@@ -316,7 +307,7 @@ RootColumns::Search& RootColumns::of_thread() {
 RootColumns::RootColumns(const PolynomialColumns& polynomials, std::uint64_t who)
     : polynomials_(&polynomials), search_(&of_thread()) {
   if (polynomials.order <= 2) {
-    HWY_DYNAMIC_DISPATCH(find_few_roots_of)(polynomials, who, *search_);
+    HWY_DYNAMIC_DISPATCH(find_few_roots)(polynomials, who, *search_);
     return;
   }
   for (; who != 0; who &= who - 1) {

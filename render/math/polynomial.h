@@ -43,8 +43,7 @@ class PolynomialRoots {
  private:
   template <class Order>
   bool next(Order order, double& root);
-  template <class Order>
-  bool next_of_few(Order order, double& root);
+  bool next_of_few(double& root);
 
   std::span<const double> c_;
   int halvings_left_ = kMostHalvings;

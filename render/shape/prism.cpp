@@ -14,7 +14,6 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
-#include <type_traits>
 #include <utility>
 
 #ifndef FIRSTLIGHT_RENDER_SHAPE_PRISM
@@ -277,7 +276,7 @@ HWY_INLINE SideOf<L> side_above(const Prism& prism, const ProfileSegment& segmen
 HWY_INLINE void meet_few_sides(const Prism& prism, std::uint32_t part, const Lanes (&equation)[4],
                                const RayOf<Lanes>& ray, const Lanes& length, std::size_t i, std::uint64_t here,
                                SlotLists& lists) {
-  const FewRoots<Lanes> roots = few_roots(equation, std::integral_constant<std::size_t, 2>(), Lanes(0.0), Lanes(1.0));
+  const FewRoots<Lanes> roots = few_roots(equation, Lanes(0.0), Lanes(1.0));
   const auto add = [&](const Lanes& w, const LanesMask& has) HWY_ATTR {
     const std::uint64_t with_root = bits(has) & here;
     if (with_root == 0) return;

@@ -16,7 +16,6 @@
 #include <array>
 #include <cmath>
 #include <numbers>
-#include <type_traits>
 
 HWY_BEFORE_NAMESPACE();
 namespace firstlight::render {
@@ -52,7 +51,7 @@ std::uint64_t points_in_few(std::span<const ProfileSegment> segments, const Colu
       const LanesMask beside = is_beside(segment, u, v);
       if (!any(beside)) continue;
       const Lanes c[3] = {segment.d.y - v, segment.c.y, segment.b.y};
-      const FewRoots<Lanes> roots = few_roots(c, std::integral_constant<std::size_t, 2>(), Lanes(0.0), Lanes(1.0));
+      const FewRoots<Lanes> roots = few_roots(c, Lanes(0.0), Lanes(1.0));
       const auto is_ahead = [&](const Lanes& w) HWY_ATTR { return place_on(segment, w).x >= u; };
       odd ^= bits(beside & roots.has_first & is_ahead(roots.first)) ^
              bits(beside & roots.has_second & is_ahead(roots.second));

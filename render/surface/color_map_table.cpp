@@ -1,13 +1,12 @@
 #include "render/surface/color_map_table.h"
 
-#include "render/math/single.h"
 #include "render/surface/compiled_pattern.h"
 
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "render/surface/color_map_table.cpp"
 #include <hwy/foreach_target.h>
 
-#include "render/lanes/lanes-inl.h"
+#include "render/lanes/math-inl.h"
 
 #include <array>
 #include <cstdint>
@@ -45,10 +44,9 @@ HWY_INLINE LanesMask find_rows(const Lanes& place, std::span<const double> posit
   }
   above = select(beyond, Lanes(static_cast<double>(last)), above);
   on_entry = on_entry | (above == 0.0);
-  constexpr double kToBits = 0x1.8p52;
   const Lanes row = select(on_entry, above + static_cast<double>(positions.size()), above) * double{kRow};
   std::int64_t numbers[Lanes::kCount];
-  store_bits(row + kToBits, numbers);
+  store_bits(row + kWholeInBits, numbers);
   for (std::size_t i = 0; i < Lanes::kCount; ++i) first[i] = static_cast<std::int32_t>(numbers[i]);
   return on_entry;
 }

@@ -43,10 +43,6 @@ namespace {
 /// Points of the grids of feelers that are worked on together; a larger grid is alone.
 constexpr std::size_t kMostPoints = std::size_t{1} << 14;
 
-std::size_t points_of(const Light& light) {
-  return static_cast<std::size_t>(light.area->size1) * static_cast<std::size_t>(light.area->size2);
-}
-
 /// The colour of the light at a point, in single precision. With `area_illumination` what beam and distance leave is
 /// asked for each point of the light, and has no part in the shadow. [POV-Ray 3.7]
 Rgb arriving_at(const Light& light, const Vec3& point) {
@@ -73,10 +69,10 @@ std::uint64_t AreaShadow::find(std::span<const Feeler> feelers, std::span<Rgb> s
     std::size_t count = 0;
     std::size_t points = 0;
     do {
-      points += points_of(scene_.lights[feelers[first + count].light]);
+      points += scene_.lights[feelers[first + count].light].area->points();
       ++count;
     } while (first + count < feelers.size() &&
-             points + points_of(scene_.lights[feelers[first + count].light]) <= kMostPoints);
+             points + scene_.lights[feelers[first + count].light].area->points() <= kMostPoints);
     rays += find_together(feelers.subspan(first, count), shares.subspan(first, count));
     first += count;
   }
@@ -97,7 +93,7 @@ std::uint64_t AreaShadow::find_together(std::span<const Feeler> feelers, std::sp
                       arriving_at(light, feeler.origin),
                       points,
                       {0.0, 0.0, 0.0}});
-    points += points_of(light);
+    points += light.area->points();
   }
   asked_.assign(points, 0);
   if (shares_.size() < points) shares_.resize(points);
